@@ -1,0 +1,70 @@
+// SPDX-FileCopyrightText: 2026 The CAD2SLAM authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "cad2slam/mesh/tile_lattice.h"
+
+namespace cad2slam {
+
+/// Finds the node of a tile in constant time, whatever the extent of the lattice: a hash table of blocks of 8 x 8 tiles.
+/// Memory grows with the number of occupied blocks, so tiles that are far apart (or lie in a hostile file) cost nothing.
+class TileIndex {
+ public:
+  static constexpr std::uint32_t kNone = 0xffffffffU;
+
+  TileIndex() = default;
+  /// nullopt when a tile stands twice.
+  [[nodiscard]] static std::optional<TileIndex> create(const TileLattice& lattice, const TileCoordinate* tiles,
+                                                       std::size_t count);
+
+  [[nodiscard]] const TileLattice& lattice() const { return lattice_; }
+
+  /// Node of a tile, or kNone.
+  [[nodiscard]] std::uint32_t at(std::int32_t column, std::int32_t row) const {
+    const std::uint32_t* block = findBlock(column >> kShift, row >> kShift);
+    return block == nullptr ? kNone : block[((row & kMask) << kShift) | (column & kMask)];
+  }
+
+  /// Nodes of the 3 x 3 tiles around a tile, row by row from the lower left; kNone where there is none.
+  [[nodiscard]] std::array<std::uint32_t, 9> neighbourhood(std::int32_t column, std::int32_t row) const;
+
+ private:
+  static constexpr int kShift = 3;
+  static constexpr std::int32_t kMask = (1 << kShift) - 1;
+  static constexpr std::size_t kBlockTiles = std::size_t{1} << (2 * kShift);
+
+  struct Slot {
+    std::int32_t column = 0;
+    std::int32_t row = 0;
+    std::uint32_t block = kNone;
+  };
+
+  [[nodiscard]] const std::uint32_t* findBlock(std::int32_t block_column, std::int32_t block_row) const {
+    if (slots_.empty()) return nullptr;
+    for (std::size_t at = hash(block_column, block_row) & slot_mask_;; at = (at + 1) & slot_mask_) {
+      const Slot& slot = slots_[at];
+      if (slot.block == kNone) return nullptr;
+      if (slot.column == block_column && slot.row == block_row) return blocks_.data() + slot.block * kBlockTiles;
+    }
+  }
+  static std::size_t hash(std::int32_t column, std::int32_t row) {
+    const std::uint64_t key = (static_cast<std::uint64_t>(static_cast<std::uint32_t>(column)) << 32) |
+                              static_cast<std::uint32_t>(row);
+    const std::uint64_t mixed = key * 0x9e3779b97f4a7c15ULL;
+    return static_cast<std::size_t>(mixed ^ (mixed >> 32));
+  }
+  void grow();
+
+  TileLattice lattice_;
+  std::vector<Slot> slots_;  // open addressing, size is a power of two, at most half full
+  std::size_t slot_mask_ = 0;
+  std::size_t block_count_ = 0;
+  std::vector<std::uint32_t> blocks_;
+};
+
+}  // namespace cad2slam

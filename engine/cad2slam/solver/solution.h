@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: 2026 The CAD2SLAM authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <Eigen/Core>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cad2slam/anchors/anchor.h"
+#include "cad2slam/geometry/pose2.h"
+#include "cad2slam/geometry/similarity2.h"
+#include "cad2slam/solver/solver_settings.h"
+
+namespace cad2slam {
+
+/// How well one anchor is met.
+struct AnchorFit {
+  AnchorId id = 0;
+  bool used = true;                                     ///< false for disabled anchors: their residual is a check value
+  Eigen::Vector2d predicted = Eigen::Vector2d::Zero();  ///< [m] where the mesh puts the blueprint point in the SLAM map
+  double residual_m = 0.0;                              ///< |predicted - clicked|
+  double leave_one_out_m = 0.0;                         ///< the same, predicted without this anchor (one factorisation)
+  double loss_weight = 1.0;                             ///< 1 = fully trusted, near 0 = treated as an outlier
+};
+
+struct SolveSeconds {
+  double ordering = 0.0;
+  double optimisation = 0.0;
+  double diagnosis = 0.0;  ///< leave-one-out residuals
+};
+
+/// A solved mesh. A value: shares nothing with the solver that made it.
+struct Solution {
+  SolverSettings settings;  ///< as used, with every automatic weight filled in
+  Similarity2 global_fit;   ///< slam_from_blueprint of the start; its scale is the scale of the rest lengths
+  std::vector<Pose2> node_slam;               ///< slam_from_node
+  std::vector<Eigen::Vector2d> node_stretch;  ///< log-stretch along the node's x and y; zero in the rigid model
+  std::vector<AnchorFit> anchors;             ///< one for each given anchor, in the given order
+  std::size_t anchors_used = 0;
+  double cost = 0.0;               ///< half the sum of squares, as Ceres counts
+  double initial_cost = 0.0;       ///< at the global fit
+  double relative_gradient = 0.0;  ///< |gradient| at the end over |gradient| at the global fit, max norm
+  int iterations = 0;
+  bool converged = false;
+  SolveSeconds seconds;
+  std::vector<std::string> warnings;  ///< full sentences
+};
+
+}  // namespace cad2slam
