@@ -19,9 +19,7 @@ struct Similarity2 {
   [[nodiscard]] Eigen::Vector2d operator*(const Eigen::Vector2d& point) const {
     return scale * (rotationMatrix(heading) * point) + translation;
   }
-  [[nodiscard]] Pose2 operator*(const Pose2& pose) const {
-    return {*this * pose.translation, heading + pose.heading};
-  }
+  [[nodiscard]] Pose2 operator*(const Pose2& pose) const { return {*this * pose.translation, heading + pose.heading}; }
   [[nodiscard]] Similarity2 inverse() const {
     return {1.0 / scale, -heading, -(rotationMatrix(-heading) * translation) / scale};
   }

@@ -18,8 +18,8 @@ struct PointPair {
   Eigen::Vector2d target = Eigen::Vector2d::Zero();  ///< [m]
 };
 
-/// Closed-form weighted least squares of sum_i w_i |target_i - S source_i|^2 over similarities S (Horn 1987 in the plane).
-/// `fixed_scale` keeps the scale at a number; without it the scale is estimated. Empty `weights` means all 1.
+/// Closed-form weighted least squares of sum_i w_i |target_i - S source_i|^2 over similarities S (Horn 1987 in the
+/// plane). `fixed_scale` keeps the scale at a number; without it the scale is estimated. Empty `weights` means all 1.
 /// kDegenerate: no pair, or all source points at one place while rotation has to be found (one pair with a
 /// fixed scale gives a pure translation). Never returns a reflection.
 [[nodiscard]] Result<Similarity2> fitSimilarity(const std::vector<PointPair>& pairs, std::optional<double> fixed_scale,

@@ -25,7 +25,7 @@ enum class MapMode { kTrinary, kScale, kRaw };
 
 /// A map_server YAML as read: `image` is resolved against the folder of the YAML.
 struct MapMetadata {
-  std::filesystem::path yaml;   ///< empty for a bare image
+  std::filesystem::path yaml;  ///< empty for a bare image
   std::filesystem::path image;
   double resolution_m_per_px = 0.05;
   Pose2 metric_from_corner;  ///< `origin:`

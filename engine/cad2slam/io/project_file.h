@@ -17,9 +17,9 @@ namespace cad2slam {
 
 /// One raster of a project: where its YAML or image lies and how to recognise it.
 struct ProjectRaster {
-  MapMetadata metadata;         ///< paths absolute in memory, relative to the project file on disk where possible
+  MapMetadata metadata;  ///< paths absolute in memory, relative to the project file on disk where possible
   std::uintmax_t image_bytes = 0;
-  std::string image_sha256;     ///< empty: not yet known
+  std::string image_sha256;  ///< empty: not yet known
 };
 
 /// The first half of an anchor whose counterpart was not clicked yet.
@@ -43,9 +43,9 @@ struct Project {
   ProjectRaster blueprint;
   std::vector<ProjectSlamMap> slam_maps;
   SolverSettings settings;
-  std::optional<double> cell_size_m;  ///< empty: automatic
-  std::string view_state_json = "{}";  ///< an object that only the app understands
-  std::string app_version;             ///< that wrote it
+  std::optional<double> cell_size_m;     ///< empty: automatic
+  std::string view_state_json = "{}";    ///< an object that only the app understands
+  std::string app_version;               ///< that wrote it
   std::string unknown_keys_json = "{}";  ///< the document as read, so that keys of newer versions survive a save
 };
 

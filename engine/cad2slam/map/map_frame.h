@@ -42,7 +42,10 @@ class MapFrame {
 
  private:
   MapFrame(double resolution, int width, int height, const Pose2& metric_from_corner)
-      : resolution_(resolution), width_(width), height_(height), metric_from_corner_(metric_from_corner),
+      : resolution_(resolution),
+        width_(width),
+        height_(height),
+        metric_from_corner_(metric_from_corner),
         rotation_(rotationMatrix(metric_from_corner.heading)) {}
 
   double resolution_;

@@ -11,8 +11,9 @@
 
 namespace cad2slam {
 
-/// Finds the node of a tile in constant time, whatever the extent of the lattice: a hash table of blocks of 8 x 8 tiles.
-/// Memory grows with the number of occupied blocks, so tiles that are far apart (or lie in a hostile file) cost nothing.
+/// Finds the node of a tile in constant time, whatever the extent of the lattice: a hash table of blocks of 8 x 8
+/// tiles. Memory grows with the number of occupied blocks, so tiles that are far apart (or lie in a hostile file) cost
+/// nothing.
 class TileIndex {
  public:
   static constexpr std::uint32_t kNone = 0xffffffffU;
@@ -53,8 +54,8 @@ class TileIndex {
     }
   }
   static std::size_t hash(std::int32_t column, std::int32_t row) {
-    const std::uint64_t key = (static_cast<std::uint64_t>(static_cast<std::uint32_t>(column)) << 32) |
-                              static_cast<std::uint32_t>(row);
+    const std::uint64_t key =
+        (static_cast<std::uint64_t>(static_cast<std::uint32_t>(column)) << 32) | static_cast<std::uint32_t>(row);
     const std::uint64_t mixed = key * 0x9e3779b97f4a7c15ULL;
     return static_cast<std::size_t>(mixed ^ (mixed >> 32));
   }

@@ -13,10 +13,10 @@
 namespace cad2slam {
 
 struct PlannerSettings {
-  double robot_radius_m = 0.0;        ///< pixels nearer than this to anything not free are closed
-  double wanted_clearance_m = 0.5;    ///< being nearer than this to a wall costs extra
-  double clearance_cost = 3.0;        ///< how much longer a way may be to keep the wanted clearance; 0: shortest path
-  double step_m = 0.1;                ///< distance between the poses of the returned path
+  double robot_radius_m = 0.0;      ///< pixels nearer than this to anything not free are closed
+  double wanted_clearance_m = 0.5;  ///< being nearer than this to a wall costs extra
+  double clearance_cost = 3.0;      ///< how much longer a way may be to keep the wanted clearance; 0: shortest path
+  double step_m = 0.1;              ///< distance between the poses of the returned path
 };
 
 struct PlannedPath {

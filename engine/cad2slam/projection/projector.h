@@ -34,10 +34,10 @@ struct Projection {
 /// Raw arrays of a projector, as they lie in a file. Nothing is owned; only create() reads them.
 struct ProjectorArrays {
   std::size_t node_count = 0;
-  const double* node_blueprint = nullptr;     ///< [n, 2]
-  const double* node_slam = nullptr;          ///< [n, 3]
-  const double* node_stretch = nullptr;       ///< [n, 2]
-  const std::int32_t* node_tile = nullptr;    ///< [n, 2]
+  const double* node_blueprint = nullptr;   ///< [n, 2]
+  const double* node_slam = nullptr;        ///< [n, 3]
+  const double* node_stretch = nullptr;     ///< [n, 2]
+  const std::int32_t* node_tile = nullptr;  ///< [n, 2]
 };
 
 /// Projects poses between the blueprint frame and the SLAM frame through one solved mesh (paper eq. 1 and 2).

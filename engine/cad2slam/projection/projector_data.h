@@ -59,10 +59,10 @@ struct ProjectorInfo {
   FrameInfo blueprint;
   FrameInfo slam;
   QualityInfo quality;
-  std::string creator;           ///< program and version
-  std::string created;           ///< ISO 8601 UTC, or empty in reproducible files
-  std::string project;           ///< name of the project file, or empty
-  std::string note;              ///< e.g. the warnings that were overridden at export
+  std::string creator;  ///< program and version
+  std::string created;  ///< ISO 8601 UTC, or empty in reproducible files
+  std::string project;  ///< name of the project file, or empty
+  std::string note;     ///< e.g. the warnings that were overridden at export
 };
 
 /// One pose known in both frames, kept in the file so that a reader can prove itself.

@@ -29,7 +29,8 @@ struct WarpOptions {
                                          const MapFrame& source_frame, const MapFrame& target_frame,
                                          const WarpOptions& options = {});
 
-/// The smallest upright frame of the target side that holds everything the projector can draw, at `resolution_m_per_px`.
+/// The smallest upright frame of the target side that holds everything the projector can draw, at
+/// `resolution_m_per_px`.
 [[nodiscard]] Result<MapFrame> warpedExtent(const Projector& projector, WarpDirection direction,
                                             const MapFrame& source_frame, double resolution_m_per_px);
 

@@ -33,9 +33,9 @@ struct SolveSeconds {
 
 /// A solved mesh. A value: shares nothing with the solver that made it.
 struct Solution {
-  SolverSettings settings;  ///< as used, with every automatic weight filled in
-  Similarity2 global_fit;   ///< slam_from_blueprint of the start; its scale is the scale of the rest lengths
-  std::vector<Pose2> node_slam;               ///< slam_from_node
+  SolverSettings settings;       ///< as used, with every automatic weight filled in
+  Similarity2 global_fit;        ///< slam_from_blueprint of the start; its scale is the scale of the rest lengths
+  std::vector<Pose2> node_slam;  ///< slam_from_node
   std::vector<Eigen::Vector2d> node_stretch;  ///< log-stretch along the node's x and y; zero in the rigid model
   std::vector<AnchorFit> anchors;             ///< one for each given anchor, in the given order
   std::size_t anchors_used = 0;
