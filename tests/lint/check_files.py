@@ -13,7 +13,7 @@ from pathlib import Path
 SPDX = ("SPDX-FileCopyrightText: 2026 The CAD2SLAM authors", "SPDX-License-Identifier: Apache-2.0")
 MAX_LINES = 500
 FOLDERS = ("app", "cmake", "engine", "packaging", "resources", "sample_maps", "tests", "ui", ".ci")
-_CODE = {".h", ".cpp", ".c", ".in", ".py", ".sh", ".cmake"}
+_CODE = (".h", ".h.in", ".cpp", ".c", ".py", ".sh", ".cmake", ".cmake.in", "CMakeLists.txt")
 
 # Lines that no file may hold.
 FORBIDDEN = (
@@ -27,7 +27,7 @@ _GLOB = re.compile(r"\bfile\s*\(\s*GLOB")
 
 
 def is_code(path: Path) -> bool:
-    return path.suffix in _CODE or path.name == "CMakeLists.txt" or (path.parent.name == ".ci" and path.suffix == "")
+    return path.name.endswith(_CODE) or path.parent.name == ".ci"
 
 
 def files_under(root: Path) -> list[Path]:
