@@ -7,6 +7,15 @@
 include(CMakePackageConfigHelpers)
 find_program(GZIP_PROGRAM gzip REQUIRED)
 
+# The date of this version, for manual pages and AppStream.
+set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/CHANGELOG.md)
+string(REPLACE "." "\\." version_pattern ${PROJECT_VERSION})
+file(STRINGS ${CMAKE_SOURCE_DIR}/CHANGELOG.md heading REGEX "^## \\[${version_pattern}\\] - ")
+if(NOT heading MATCHES " - ([0-9]+-[0-9]+-[0-9]+)$")
+  message(FATAL_ERROR "CHANGELOG.md has no line '## [${PROJECT_VERSION}] - YYYY-MM-DD'")
+endif()
+set(CAD2SLAM_RELEASE_DATE ${CMAKE_MATCH_1})
+
 # Debian wants manual pages compressed, and the same bytes in every build (-n: no time).
 function(cad2slam_install_manual program component)
   set(page ${CMAKE_CURRENT_BINARY_DIR}/${program}.1)
