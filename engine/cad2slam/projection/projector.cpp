@@ -95,6 +95,8 @@ class Projector::Impl {
   [[nodiscard]] Projection backward(const Pose2& pose, OutsidePolicy outside) const;
   [[nodiscard]] Matrix2d jacobian(const Vector2d& point) const;
   [[nodiscard]] std::size_t foldedTileCount() const;
+  [[nodiscard]] double distanceToMesh(const Vector2d& point) const;
+  [[nodiscard]] std::vector<Vector2d> tileMiddles() const;
 
   ProjectorInfo info;
   std::vector<NodePrediction> nodes;
@@ -416,6 +418,21 @@ std::size_t Projector::Impl::foldedTileCount() const {
   return folded_count_;
 }
 
+double Projector::Impl::distanceToMesh(const Vector2d& point) const {
+  if (!point.allFinite()) return std::numeric_limits<double>::infinity();
+  const Vector2d cells = cellsOf(point);
+  TileCoordinate tile;
+  if (tileOf(cells, tile) && index_.at(tile.column, tile.row) != TileIndex::kNone) return 0.0;
+  return (nearestPlaceOnMesh(cells) - cells).norm() * info.lattice.cell_size;
+}
+
+std::vector<Vector2d> Projector::Impl::tileMiddles() const {
+  std::vector<Vector2d> middles;
+  middles.reserve(tiles_.size());
+  for (std::uint32_t node = 0; node < tiles_.size(); ++node) middles.push_back(centerOf(node));
+  return middles;
+}
+
 Result<Projector> Projector::create(const ProjectorInfo& info, const ProjectorArrays& arrays) {
   Result<std::shared_ptr<const Impl>> impl = Impl::create(info, arrays);
   if (!impl) return failAs(impl);
@@ -493,6 +510,14 @@ void Projector::blueprintFromSlam(const Pose2* in, Projection* out, std::size_t 
 
 Eigen::Matrix2d Projector::jacobian(const Eigen::Vector2d& point_in_blueprint) const {
   return impl_->jacobian(point_in_blueprint);
+}
+
+double Projector::distanceToMesh(const Eigen::Vector2d& point_in_blueprint) const {
+  return impl_->distanceToMesh(point_in_blueprint);
+}
+
+std::vector<Eigen::Vector2d> Projector::tileMiddles() const {
+  return impl_->tileMiddles();
 }
 
 }  // namespace cad2slam
