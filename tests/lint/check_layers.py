@@ -105,11 +105,11 @@ def includes_under(root: Path, folder: str) -> Iterator[Include]:
 
 
 def projector_files(cmake: str) -> set[str]:
-    """The files of target cad2slam_projector, as named in engine/CMakeLists.txt."""
+    """The files of target cad2slam_projector, as named in engine/CMakeLists.txt, with the private header of each source."""
     files: set[str] = set()
     for block in re.findall(r"target_sources\(\s*cad2slam_projector\b([^)]*)\)", cmake):
         files.update(re.findall(r"cad2slam/[\w/]+\.(?:h|cpp)", block))
-    return files
+    return files | {re.sub(r"\.cpp$", ".h", file) for file in files}
 
 
 def module_finding(include: Include) -> str | None:
