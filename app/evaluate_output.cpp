@@ -1,0 +1,126 @@
+// SPDX-FileCopyrightText: 2026 The CAD2SLAM authors
+// SPDX-License-Identifier: Apache-2.0
+#include "app/evaluate_output.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <iostream>
+
+#include "cad2slam/io/atomic_file.h"
+
+namespace cad2slam::cli {
+namespace {
+
+std::string metres(double value) {
+  return std::isfinite(value) ? fmt::format("{:.3f}", value) : "-";
+}
+
+std::vector<std::string> statisticsCells(const ErrorStatistics& statistics) {
+  return {metres(statistics.mean), metres(statistics.median), metres(statistics.p90), metres(statistics.p95),
+          metres(statistics.max)};
+}
+
+std::string csvCell(const std::string& cell) {
+  if (cell.find_first_of(",\"\n") == std::string::npos) return cell;
+  std::string quoted = "\"";
+  for (const char c : cell) quoted += c == '"' ? "\"\"" : std::string(1, c);
+  return quoted + "\"";
+}
+
+}  // namespace
+
+Json jsonNumber(double value) {
+  return std::isfinite(value) ? Json(value) : Json(nullptr);
+}
+
+Json toJson(const ErrorStatistics& statistics) {
+  return {{"count", statistics.count},
+          {"mean", jsonNumber(statistics.mean)},
+          {"median", jsonNumber(statistics.median)},
+          {"p90", jsonNumber(statistics.p90)},
+          {"p95", jsonNumber(statistics.p95)},
+          {"max", jsonNumber(statistics.max)}};
+}
+
+Json toJson(const std::vector<MethodErrors>& methods) {
+  Json json = Json::object();
+  for (const MethodErrors& method : methods) json[methodKey(method.method)] = toJson(method.statistics);
+  return json;
+}
+
+Json siteJson(const EvaluationSite& site) {
+  const auto used = std::count_if(site.inputs.anchors.begin(), site.inputs.anchors.end(),
+                                  [](const Anchor& anchor) { return anchor.enabled; });
+  return {{"blueprint", site.inputs.blueprint.image.filename().string()},
+          {"slam", site.inputs.slam.image.filename().string()},
+          {"anchors", used},
+          {"nodes", site.mesh->nodeCount()},
+          {"cell_size_m", site.mesh->lattice().cell_size}};
+}
+
+std::string TextTable::aligned() const {
+  std::vector<std::size_t> widths(header.size(), 0);
+  const auto measure = [&](const std::vector<std::string>& cells) {
+    for (std::size_t i = 0; i < cells.size(); ++i) widths[i] = std::max(widths[i], cells[i].size());
+  };
+  measure(header);
+  for (const auto& row : rows) measure(row);
+  std::string text;
+  const auto append = [&](const std::vector<std::string>& cells) {
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+      text += i == 0 ? fmt::format("{:<{}}", cells[i], widths[i]) : fmt::format("  {:>{}}", cells[i], widths[i]);
+    }
+    text += '\n';
+  };
+  append(header);
+  for (const auto& row : rows) append(row);
+  return text;
+}
+
+std::string TextTable::csv() const {
+  std::string text;
+  const auto append = [&](const std::vector<std::string>& cells) {
+    for (std::size_t i = 0; i < cells.size(); ++i) text += (i == 0 ? "" : ",") + csvCell(cells[i]);
+    text += '\n';
+  };
+  append(header);
+  for (const auto& row : rows) append(row);
+  return text;
+}
+
+TextTable methodTable(const std::vector<MethodErrors>& methods) {
+  TextTable table{{"error in m", "mean", "median", "p90", "p95", "max"}, {}};
+  for (const MethodErrors& method : methods) {
+    std::vector<std::string> row = statisticsCells(method.statistics);
+    row.insert(row.begin(), methodLabel(method.method));
+    table.rows.push_back(std::move(row));
+  }
+  return table;
+}
+
+void appendMethodRows(TextTable& table, const std::string& group, const std::vector<MethodErrors>& methods) {
+  for (const MethodErrors& method : methods) {
+    std::vector<std::string> row = statisticsCells(method.statistics);
+    row.insert(row.begin(), {methodLabel(method.method), group});
+    table.rows.push_back(std::move(row));
+  }
+}
+
+Result<void> emitReport(const EvaluateOptions& options, const EvaluationSite& site, const Json& json,
+                        const std::string& heading, const TextTable& table) {
+  if (!options.csv.empty()) {
+    if (Result<void> written = writeFileAtomically(options.csv, table.csv()); !written) return written;
+  }
+  for (const std::string& warning : site.warnings) std::cerr << "cad2slam-cli: warning: " << warning << '\n';
+  if (options.json) {
+    std::cout << json.dump(2, ' ', false, Json::error_handler_t::replace) << '\n';
+  } else {
+    std::cout << heading << '\n' << table.aligned();
+  }
+  return {};
+}
+
+}  // namespace cad2slam::cli

@@ -1,0 +1,42 @@
+// SPDX-FileCopyrightText: 2026 The CAD2SLAM authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+#include <string>
+#include <vector>
+
+#include "app/evaluate_site.h"
+#include "cad2slam/evaluation/anchor_errors.h"
+#include "cad2slam/evaluation/truth_error.h"
+
+namespace cad2slam::cli {
+
+using Json = nlohmann::ordered_json;
+
+/// null where the number is not finite.
+[[nodiscard]] Json jsonNumber(double value);
+[[nodiscard]] Json toJson(const ErrorStatistics& statistics);
+[[nodiscard]] Json toJson(const std::vector<MethodErrors>& methods);
+/// What was evaluated: files, anchors, nodes.
+[[nodiscard]] Json siteJson(const EvaluationSite& site);
+
+/// A table as text, as CSV and as JSON comes from the same rows.
+struct TextTable {
+  std::vector<std::string> header;
+  std::vector<std::vector<std::string>> rows;
+
+  [[nodiscard]] std::string aligned() const;  ///< for a terminal: first column left, the others right
+  [[nodiscard]] std::string csv() const;
+};
+
+/// `prefix`: header and cell that come before each row, for tables of several groups.
+[[nodiscard]] TextTable methodTable(const std::vector<MethodErrors>& methods);
+void appendMethodRows(TextTable& table, const std::string& group, const std::vector<MethodErrors>& methods);
+
+/// Prints JSON or table to stdout, warnings to stderr, and writes the CSV where wanted.
+[[nodiscard]] Result<void> emitReport(const EvaluateOptions& options, const EvaluationSite& site, const Json& json,
+                                      const std::string& heading, const TextTable& table);
+
+}  // namespace cad2slam::cli
