@@ -8,8 +8,11 @@
 #include <vector>
 
 #include "app/cli_command.h"
+#include "app/evaluate_commands.h"
 #include "app/evaluate_output.h"
 #include "app/evaluate_site.h"
+#include "cad2slam/evaluation/site_survey.h"
+#include "cad2slam/io/atomic_file.h"
 #include "cad2slam/io/true_warp_file.h"
 
 namespace cad2slam::cli {
@@ -29,7 +32,7 @@ Result<void> leaveOneOut(const EvaluateOptions& options) {
   Json json = siteJson(*site);
   json["methods"] = toJson(result->methods);
   return emitReport(
-      options, *site, json,
+      options, site->warnings, json,
       fmt::format("Leave-one-out over {} anchors, {} nodes", result->anchors.size(), site->mesh->nodeCount()),
       methodTable(result->methods));
 }
@@ -50,7 +53,7 @@ Result<void> learningCurve(const EvaluateOptions& options, const CurveCommandOpt
     json["sizes"][std::to_string(point.size)] = {{"methods", toJson(point.methods)}};
     appendMethodRows(table, std::to_string(point.size), point.methods);
   }
-  return emitReport(options, *site, json,
+  return emitReport(options, site->warnings, json,
                     fmt::format("Error at anchors that were not used, {} draws, seed {}", curve.draws, options.seed),
                     table);
 }
@@ -68,9 +71,60 @@ Result<void> againstTruth(const EvaluateOptions& options, const std::string& tru
   json["outside_mesh"] = result->outside;
   json["methods"] = toJson(result->methods);
   json["heading_rad"] = toJson(result->heading_rad);
-  return emitReport(options, *site, json,
+  return emitReport(options, site->warnings, json,
                     fmt::format("True error at {} places of the free space", result->places.size()),
                     methodTable(result->methods));
+}
+
+struct SurveyCommandOptions {
+  int sites = SurveyOptions{}.sites;
+  int anchors = 0;  ///< 0: each site's own number
+};
+
+Result<void> randomSites(const EvaluateOptions& options, const SurveyCommandOptions& survey) {
+  EvaluationOptions evaluation;
+  evaluation.threads = options.threads;
+  evaluation.on_progress = progressBar("sites");
+  if (Result<void> applied = applyOverrides(options.overrides, evaluation.stretch); !applied) return applied;
+  SurveyOptions survey_options;
+  survey_options.sites = survey.sites;
+  survey_options.first_seed = options.seed;
+  if (survey.anchors > 0) survey_options.anchors = survey.anchors;
+  const Result<SiteSurvey> result = surveySites(survey_options, evaluation);
+  if (!result) return failAs(result);
+
+  std::vector<AlignmentMethod> others = evaluation.methods;
+  others.erase(std::remove(others.begin(), others.end(), AlignmentMethod::kStretch), others.end());
+  Json json = {{"sites", result->sites.size()}, {"seed", options.seed}, {"methods", Json::object()}};
+  TextTable summary{{"over all sites", "geometric mean m", "/ best of others", "within 5 % of it"}, {}};
+  for (const AlignmentMethod method : evaluation.methods) {
+    const double ratio = result->ratioToBest(method, others);
+    const double share = result->shareWithin(method, others, 1.05);
+    json["methods"][methodKey(method)] = {{"geometric_mean_m", jsonNumber(result->geometricMean(method))},
+                                          {"ratio_to_best", jsonNumber(ratio)},
+                                          {"share_within_5_percent", jsonNumber(share)}};
+    summary.rows.push_back({methodLabel(method), fmt::format("{:.4f}", result->geometricMean(method)),
+                            fmt::format("{:.3f}", ratio), fmt::format("{:.0f} %", 100.0 * share)});
+  }
+  TextTable rows{{"seed", "kind", "layout", "size_m", "plan_scale", "anchors"}, {}};
+  for (const AlignmentMethod method : evaluation.methods) rows.header.push_back(methodKey(method));
+  for (const SurveyedSite& site : result->sites) {
+    std::vector<std::string> row = {std::to_string(site.seed),
+                                    siteKindName(site.kind),
+                                    anchorLayoutName(site.layout),
+                                    fmt::format("{:.1f}", site.size_m),
+                                    fmt::format("{:.4f}", site.plan_scale),
+                                    std::to_string(site.anchors)};
+    for (const double error : site.mean_error_m) row.push_back(fmt::format("{:.5f}", error));
+    rows.rows.push_back(std::move(row));
+  }
+  if (!options.csv.empty()) {
+    if (Result<void> written = writeFileAtomically(options.csv, rows.csv()); !written) return written;
+  }
+  EvaluateOptions without_csv = options;  // the CSV holds the sites, not the summary
+  without_csv.csv.clear();
+  return emitReport(without_csv, {}, json, fmt::format("Mean true error on {} random sites", result->sites.size()),
+                    summary);
 }
 
 /// A subcommand of `evaluate` with the options of all of them.
@@ -79,12 +133,6 @@ CLI::App* addPart(CLI::App& evaluate, const std::shared_ptr<EvaluateOptions>& op
   CLI::App* command = evaluate.add_subcommand(name, description);
   addSiteOptions(*command, options);
   return command;
-}
-
-void requireSite(const EvaluateOptions& options) {
-  if (options.project.empty() && options.blueprint.empty()) {
-    throw CLI::RequiredError("evaluate: a project, or --blueprint, --slam and --anchors,");
-  }
 }
 
 }  // namespace
@@ -116,6 +164,18 @@ void addEvaluateCommand(CLI::App& app, ActionSlot& chosen) {
     requireSite(*options);
     chosen.set([options, truth_file] { return againstTruth(*options, *truth_file); });
   });
+
+  auto survey_options = std::make_shared<SurveyCommandOptions>();
+  CLI::App* sites = evaluate->add_subcommand("sites", "True error on random sites that are made on the fly");
+  addRunOptions(*sites, options);
+  sites->add_option("--count", survey_options->sites, "How many sites")->capture_default_str();
+  sites->add_option("--anchors", survey_options->anchors, "Anchors at each site (default: random, 4 to 60)");
+  sites->callback([options, survey_options, &chosen] {
+    chosen.set([options, survey_options] { return randomSites(*options, *survey_options); });
+  });
+
+  addEvaluateScansCommand(*evaluate, options, chosen);
+  addEvaluateSpeedCommand(*evaluate, options, chosen);
 }
 
 }  // namespace cad2slam::cli

@@ -109,12 +109,12 @@ void appendMethodRows(TextTable& table, const std::string& group, const std::vec
   }
 }
 
-Result<void> emitReport(const EvaluateOptions& options, const EvaluationSite& site, const Json& json,
+Result<void> emitReport(const EvaluateOptions& options, const std::vector<std::string>& warnings, const Json& json,
                         const std::string& heading, const TextTable& table) {
   if (!options.csv.empty()) {
     if (Result<void> written = writeFileAtomically(options.csv, table.csv()); !written) return written;
   }
-  for (const std::string& warning : site.warnings) std::cerr << "cad2slam-cli: warning: " << warning << '\n';
+  for (const std::string& warning : warnings) std::cerr << "cad2slam-cli: warning: " << warning << '\n';
   if (options.json) {
     std::cout << json.dump(2, ' ', false, Json::error_handler_t::replace) << '\n';
   } else {

@@ -36,7 +36,7 @@ struct TextTable {
 void appendMethodRows(TextTable& table, const std::string& group, const std::vector<MethodErrors>& methods);
 
 /// Prints JSON or table to stdout, warnings to stderr, and writes the CSV where wanted.
-[[nodiscard]] Result<void> emitReport(const EvaluateOptions& options, const EvaluationSite& site, const Json& json,
-                                      const std::string& heading, const TextTable& table);
+[[nodiscard]] Result<void> emitReport(const EvaluateOptions& options, const std::vector<std::string>& warnings,
+                                      const Json& json, const std::string& heading, const TextTable& table);
 
 }  // namespace cad2slam::cli

@@ -49,12 +49,49 @@ Result<void> applyOptions(const EvaluateOptions& options, SolveInputs& inputs) {
     if (!cell_size) return failAs(cell_size);
     inputs.cell_size_m = *cell_size;
   }
-  return {};
+  return applyOverrides(options.overrides, inputs.settings);
 }
 
 }  // namespace
 
+Result<void> applyOverrides(const std::vector<std::string>& overrides, SolverSettings& settings) {
+  for (const std::string& text : overrides) {
+    const std::size_t equals = text.find('=');
+    const std::string name = text.substr(0, equals);
+    const Result<double> value = positiveNumber(equals == std::string::npos ? "" : text.substr(equals + 1), text);
+    if (!value) return failAs(value);
+    if (name == "lambda_x") {
+      settings.lambda_x = *value;
+    } else if (name == "lambda_y") {
+      settings.lambda_y = *value;
+    } else if (name == "lambda_theta") {
+      settings.lambda_theta = *value;
+    } else if (name == "lambda_stretch") {
+      settings.lambda_stretch = *value;
+    } else if (name == "prior_strength") {
+      settings.prior_strength = *value;
+    } else if (name == "anchor_information") {
+      settings.anchor_information = *value;
+    } else if (name == "loss_width_m") {
+      settings.loss_width_m = *value;
+    } else {
+      return fail(ErrorCode::kOutOfDomain, "there is no weight of this name", "--set " + name);
+    }
+  }
+  return {};
+}
+
+void addRunOptions(CLI::App& command, const std::shared_ptr<EvaluateOptions>& options) {
+  command.add_option("--cell-size", options->cell_size, "Edge length of a mesh cell in metres, or auto");
+  command.add_option("--set", options->overrides, "Weight of the stretch model, NAME=VALUE, for experiments");
+  command.add_option("--threads", options->threads, "How many threads work (default: one for each core)");
+  command.add_option("--seed", options->seed, "Seed of everything random")->capture_default_str();
+  command.add_flag("--json", options->json, "Print the report as one JSON object");
+  command.add_option("--csv", options->csv, "Also write the table to this CSV file");
+}
+
 void addSiteOptions(CLI::App& command, const std::shared_ptr<EvaluateOptions>& options) {
+  addRunOptions(command, options);
   CLI::Option* project = command.add_option("project", options->project, "Project file (.c2sproj)");
   command.add_option("--map", options->map, "Which SLAM map of the project")->needs(project);
   CLI::Option* blueprint = command.add_option("--blueprint", options->blueprint, "Blueprint (map_server YAML)");
@@ -67,11 +104,12 @@ void addSiteOptions(CLI::App& command, const std::shared_ptr<EvaluateOptions>& o
   command.add_option(
       "--scale", options->scale,
       "auto: the plan claims to be to scale; unknown: least squares; or SLAM metres per blueprint metre");
-  command.add_option("--cell-size", options->cell_size, "Edge length of a mesh cell in metres, or auto");
-  command.add_option("--threads", options->threads, "How many threads work (default: one for each core)");
-  command.add_option("--seed", options->seed, "Seed of everything random")->capture_default_str();
-  command.add_flag("--json", options->json, "Print the report as one JSON object");
-  command.add_option("--csv", options->csv, "Also write the table to this CSV file");
+}
+
+void requireSite(const EvaluateOptions& options) {
+  if (options.project.empty() && options.blueprint.empty()) {
+    throw CLI::RequiredError("evaluate: a project, or --blueprint, --slam and --anchors,");
+  }
 }
 
 Result<EvaluationSite> loadSite(const EvaluateOptions& options) {

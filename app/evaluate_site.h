@@ -30,10 +30,17 @@ struct EvaluateOptions {
   unsigned threads = 0;
   std::uint64_t seed = 1;
   bool json = false;
-  std::string csv;  ///< file to write, or empty
+  std::string csv;                     ///< file to write, or empty
+  std::vector<std::string> overrides;  ///< NAME=VALUE for weights of the stretch model
 };
 
+/// Options of `evaluate` that need no site.
+void addRunOptions(CLI::App& command, const std::shared_ptr<EvaluateOptions>& options);
+/// The same and those that say what to evaluate.
 void addSiteOptions(CLI::App& command, const std::shared_ptr<EvaluateOptions>& options);
+
+/// Throws CLI's usage error when options name nothing to evaluate.
+void requireSite(const EvaluateOptions& options);
 
 /// What is evaluated: one blueprint, one SLAM map, the anchors between them.
 struct EvaluationSite {
@@ -46,6 +53,9 @@ struct EvaluationSite {
 
 [[nodiscard]] Result<EvaluationSite> loadSite(const EvaluateOptions& options);
 [[nodiscard]] Result<OccupancyGrid> loadSlamGrid(const EvaluationSite& site);
+
+/// Changes weights by name, for experiments. kOutOfDomain names what is unknown or no number.
+[[nodiscard]] Result<void> applyOverrides(const std::vector<std::string>& overrides, SolverSettings& settings);
 
 /// Threads, settings and, on a terminal, a progress bar.
 [[nodiscard]] EvaluationOptions evaluationOptions(const EvaluateOptions& options, const EvaluationSite& site,
