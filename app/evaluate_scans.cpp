@@ -22,6 +22,7 @@ struct ScansCommandOptions {
   double range_m = LidarModel{}.range_max_m;
   int beams = LidarModel{}.beams;
   double step_m = 0.1;
+  bool stops_at_unknown = false;
 };
 
 Json toJson(const std::vector<ScanAgreement>& agreements) {
@@ -59,6 +60,7 @@ Result<void> compare(const EvaluateOptions& options, const ScansCommandOptions& 
   ScanOptions scan_options;
   scan_options.lidar.range_max_m = scans.range_m;
   scan_options.lidar.beams = scans.beams;
+  scan_options.lidar.stops_at_unknown = scans.stops_at_unknown;
   scan_options.planner.step_m = scans.step_m;
   scan_options.threads = options.threads;
   scan_options.on_progress = progressBar("scans");
@@ -110,6 +112,7 @@ void addEvaluateScansCommand(CLI::App& evaluate, const std::shared_ptr<EvaluateO
   command->add_option("--step", scans->step_m, "Metres of the blueprint between scans")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
+  command->add_flag("--stop-at-unknown", scans->stops_at_unknown, "Beams also end where the maps are unknown");
   command->callback([options, scans, &chosen] {
     requireSite(*options);
     chosen.set([options, scans] { return compare(*options, *scans); });
