@@ -12,6 +12,7 @@
 #include "app/evaluate_output.h"
 #include "app/evaluate_site.h"
 #include "cad2slam/evaluation/site_survey.h"
+#include "cad2slam/evaluation/truth_error.h"
 #include "cad2slam/io/atomic_file.h"
 #include "cad2slam/io/true_warp_file.h"
 
@@ -176,6 +177,7 @@ void addEvaluateCommand(CLI::App& app, ActionSlot& chosen) {
 
   addEvaluateScansCommand(*evaluate, options, chosen);
   addEvaluateSpeedCommand(*evaluate, options, chosen);
+  addEvaluateAllCommand(*evaluate, options, chosen);
 }
 
 }  // namespace cad2slam::cli

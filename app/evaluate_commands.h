@@ -12,5 +12,6 @@ namespace cad2slam::cli {
 /// Parts of `evaluate` that live in files of their own.
 void addEvaluateScansCommand(CLI::App& evaluate, const std::shared_ptr<EvaluateOptions>& options, ActionSlot& chosen);
 void addEvaluateSpeedCommand(CLI::App& evaluate, const std::shared_ptr<EvaluateOptions>& options, ActionSlot& chosen);
+void addEvaluateAllCommand(CLI::App& evaluate, const std::shared_ptr<EvaluateOptions>& options, ActionSlot& chosen);
 
 }  // namespace cad2slam::cli

@@ -30,6 +30,25 @@ std::string csvCell(const std::string& cell) {
   return quoted + "\"";
 }
 
+Json agreementJson(const std::vector<ScanAgreement>& agreements) {
+  Json json = Json::array();
+  for (const ScanAgreement& agreement : agreements) {
+    json.push_back({{"threshold_m", agreement.threshold_m},
+                    {"mean_m", jsonNumber(agreement.mean_m)},
+                    {"deviation_m", jsonNumber(agreement.deviation_m)},
+                    {"outliers", jsonNumber(agreement.outliers)},
+                    {"sum_of_squares_m2", jsonNumber(agreement.sum_of_squares_m2)}});
+  }
+  return json;
+}
+
+Json meanAndDeviation(const ErrorStatistics& statistics) {
+  return {{"mean", jsonNumber(statistics.mean)},
+          {"deviation", jsonNumber(statistics.deviation)},
+          {"median", jsonNumber(statistics.median)},
+          {"p95", jsonNumber(statistics.p95)}};
+}
+
 }  // namespace
 
 Json jsonNumber(double value) {
@@ -107,6 +126,66 @@ void appendMethodRows(TextTable& table, const std::string& group, const std::vec
     row.insert(row.begin(), {methodLabel(method.method), group});
     table.rows.push_back(std::move(row));
   }
+}
+
+Json scansJson(const ScanComparison& comparison) {
+  Json paths = Json::array();
+  for (const ComparedPath& path : comparison.paths) {
+    paths.push_back({{"start", {path.ends.start.x(), path.ends.start.y()}},
+                     {"goal", {path.ends.goal.x(), path.ends.goal.y()}},
+                     {"length_m", path.in_blueprint.length_m},
+                     {"scans", path.in_slam.size()},
+                     {"thresholds", agreementJson(path.agreement)}});
+  }
+  return {{"scans", comparison.scans},
+          {"beams_without_hit", comparison.beams_without_hit},
+          {"thresholds", agreementJson(comparison.agreement)},
+          {"paths", std::move(paths)}};
+}
+
+TextTable scanTable(const ScanComparison& comparison) {
+  TextTable table{{"threshold m", "mean m", "deviation m", "outliers"}, {}};
+  for (const ScanAgreement& agreement : comparison.agreement) {
+    table.rows.push_back({fmt::format("{:.2f}", agreement.threshold_m), fmt::format("{:.4f}", agreement.mean_m),
+                          fmt::format("{:.4f}", agreement.deviation_m), fmt::format("{:.0f}", agreement.outliers)});
+  }
+  return table;
+}
+
+Json speedJson(const SpeedReport& report) {
+  Json json = {{"nodes", report.nodes}};
+  json["edges"] = report.edges;
+  json["construction_ms"] = meanAndDeviation(report.construction_ms);
+  json["optimisation_ms"] = meanAndDeviation(report.optimisation_ms);
+  json["after_an_edit_ms"] = meanAndDeviation(report.again_ms);
+  json["projection_us"] = meanAndDeviation(report.projection_us);
+  json["inverse_us"] = meanAndDeviation(report.inverse_us);
+  json["batch_projections_per_s"] = report.batch_projections_per_s;
+  json["batch_inverses_per_s"] = report.batch_inverses_per_s;
+  json["projector_bytes"] = report.projector_bytes;
+  json["peak_memory_bytes"] = report.peak_memory_bytes;
+  return json;
+}
+
+TextTable speedTable(const SpeedReport& report) {
+  TextTable table{{"", "mean", "deviation", "median"}, {}};
+  const auto add = [&](const std::string& name, const ErrorStatistics& statistics) {
+    table.rows.push_back({name, fmt::format("{:.3f}", statistics.mean), fmt::format("{:.3f}", statistics.deviation),
+                          fmt::format("{:.3f}", statistics.median)});
+  };
+  add("mesh construction, ms", report.construction_ms);
+  add("optimisation, ms", report.optimisation_ms);
+  add("optimisation after an edit, ms", report.again_ms);
+  add("projection of a pose, us", report.projection_us);
+  add("inverse of a pose, us", report.inverse_us);
+  const auto add_number = [&](const std::string& name, double value) {
+    table.rows.push_back({name, fmt::format("{:.2f}", value), "", ""});
+  };
+  add_number("batch projections, M poses/s", 1e-6 * report.batch_projections_per_s);
+  add_number("batch inverses, M poses/s", 1e-6 * report.batch_inverses_per_s);
+  add_number("projector, MB", 1e-6 * report.projector_bytes);
+  add_number("peak memory of the process, MB", 1e-6 * report.peak_memory_bytes);
+  return table;
 }
 
 Result<void> emitReport(const EvaluateOptions& options, const std::vector<std::string>& warnings, const Json& json,

@@ -9,7 +9,8 @@
 
 #include "app/evaluate_site.h"
 #include "cad2slam/evaluation/anchor_errors.h"
-#include "cad2slam/evaluation/truth_error.h"
+#include "cad2slam/evaluation/scan_comparison.h"
+#include "cad2slam/evaluation/speed_benchmark.h"
 
 namespace cad2slam::cli {
 
@@ -31,9 +32,15 @@ struct TextTable {
   [[nodiscard]] std::string csv() const;
 };
 
-/// `prefix`: header and cell that come before each row, for tables of several groups.
+/// One row for each method.
 [[nodiscard]] TextTable methodTable(const std::vector<MethodErrors>& methods);
+/// The same with a column for a group of rows, e.g. the number of anchors.
 void appendMethodRows(TextTable& table, const std::string& group, const std::vector<MethodErrors>& methods);
+
+[[nodiscard]] Json scansJson(const ScanComparison& comparison);
+[[nodiscard]] TextTable scanTable(const ScanComparison& comparison);
+[[nodiscard]] Json speedJson(const SpeedReport& report);
+[[nodiscard]] TextTable speedTable(const SpeedReport& report);
 
 /// Prints JSON or table to stdout, warnings to stderr, and writes the CSV where wanted.
 [[nodiscard]] Result<void> emitReport(const EvaluateOptions& options, const std::vector<std::string>& warnings,

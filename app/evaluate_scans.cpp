@@ -25,33 +25,6 @@ struct ScansCommandOptions {
   bool stops_at_unknown = false;
 };
 
-Json toJson(const std::vector<ScanAgreement>& agreements) {
-  Json json = Json::array();
-  for (const ScanAgreement& agreement : agreements) {
-    json.push_back({{"threshold_m", agreement.threshold_m},
-                    {"mean_m", jsonNumber(agreement.mean_m)},
-                    {"deviation_m", jsonNumber(agreement.deviation_m)},
-                    {"outliers", jsonNumber(agreement.outliers)},
-                    {"sum_of_squares_m2", jsonNumber(agreement.sum_of_squares_m2)}});
-  }
-  return json;
-}
-
-Json toJson(const ScanComparison& comparison) {
-  Json paths = Json::array();
-  for (const ComparedPath& path : comparison.paths) {
-    paths.push_back({{"start", {path.ends.start.x(), path.ends.start.y()}},
-                     {"goal", {path.ends.goal.x(), path.ends.goal.y()}},
-                     {"length_m", path.in_blueprint.length_m},
-                     {"scans", path.in_slam.size()},
-                     {"thresholds", toJson(path.agreement)}});
-  }
-  return {{"scans", comparison.scans},
-          {"beams_without_hit", comparison.beams_without_hit},
-          {"thresholds", toJson(comparison.agreement)},
-          {"paths", std::move(paths)}};
-}
-
 Result<void> compare(const EvaluateOptions& options, const ScansCommandOptions& scans) {
   const Result<EvaluationSite> site = loadSite(options);
   if (!site) return failAs(site);
@@ -79,16 +52,11 @@ Result<void> compare(const EvaluateOptions& options, const ScansCommandOptions& 
   json["model"] = scans.model;
   json["beams"] = scans.beams;
   json["range_m"] = scans.range_m;
-  json.update(toJson(*result));
-  TextTable table{{"threshold m", "mean m", "deviation m", "outliers"}, {}};
-  for (const ScanAgreement& agreement : result->agreement) {
-    table.rows.push_back({fmt::format("{:.2f}", agreement.threshold_m), fmt::format("{:.4f}", agreement.mean_m),
-                          fmt::format("{:.4f}", agreement.deviation_m), fmt::format("{:.0f}", agreement.outliers)});
-  }
+  json.update(scansJson(*result));
   return emitReport(options, site->warnings, json,
                     fmt::format("{} paths, {} scans of {} beams ({:.1f} of them meet nothing in the blueprint)",
                                 result->paths.size(), result->scans, scans.beams, result->beams_without_hit),
-                    table);
+                    scanTable(*result));
 }
 
 }  // namespace

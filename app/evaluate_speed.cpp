@@ -16,13 +16,6 @@ struct SpeedCommandOptions {
   int repetitions = SpeedOptions{}.repetitions;
 };
 
-Json meanAndDeviation(const ErrorStatistics& statistics) {
-  return {{"mean", jsonNumber(statistics.mean)},
-          {"deviation", jsonNumber(statistics.deviation)},
-          {"median", jsonNumber(statistics.median)},
-          {"p95", jsonNumber(statistics.p95)}};
-}
-
 Result<void> measure(const EvaluateOptions& options, const SpeedCommandOptions& command) {
   const Result<EvaluationSite> site = loadSite(options);
   if (!site) return failAs(site);
@@ -37,39 +30,12 @@ Result<void> measure(const EvaluateOptions& options, const SpeedCommandOptions& 
 
   Json json = siteJson(*site);
   json["model"] = command.model;
-  json["edges"] = report->edges;
   json["load_ms"] = 1e3 * site->load_seconds;
-  json["construction_ms"] = meanAndDeviation(report->construction_ms);
-  json["optimisation_ms"] = meanAndDeviation(report->optimisation_ms);
-  json["after_an_edit_ms"] = meanAndDeviation(report->again_ms);
-  json["projection_us"] = meanAndDeviation(report->projection_us);
-  json["inverse_us"] = meanAndDeviation(report->inverse_us);
-  json["batch_projections_per_s"] = report->batch_projections_per_s;
-  json["batch_inverses_per_s"] = report->batch_inverses_per_s;
-  json["projector_bytes"] = report->projector_bytes;
-  json["peak_memory_bytes"] = report->peak_memory_bytes;
-
-  TextTable table{{"", "mean", "deviation", "median"}, {}};
-  const auto add = [&](const std::string& name, const ErrorStatistics& statistics) {
-    table.rows.push_back({name, fmt::format("{:.3f}", statistics.mean), fmt::format("{:.3f}", statistics.deviation),
-                          fmt::format("{:.3f}", statistics.median)});
-  };
-  add("mesh construction, ms", report->construction_ms);
-  add("optimisation, ms", report->optimisation_ms);
-  add("optimisation after an edit, ms", report->again_ms);
-  add("projection of a pose, us", report->projection_us);
-  add("inverse of a pose, us", report->inverse_us);
-  const auto add_number = [&](const std::string& name, double value) {
-    table.rows.push_back({name, fmt::format("{:.2f}", value), "", ""});
-  };
-  add_number("batch projections, M poses/s", 1e-6 * report->batch_projections_per_s);
-  add_number("batch inverses, M poses/s", 1e-6 * report->batch_inverses_per_s);
-  add_number("projector, MB", 1e-6 * report->projector_bytes);
-  add_number("peak memory of the process, MB", 1e-6 * report->peak_memory_bytes);
+  json.update(speedJson(*report));
   return emitReport(options, site->warnings, json,
                     fmt::format("{} nodes, {} edges, {} anchors, {} model", report->nodes, report->edges,
                                 report->anchors, command.model),
-                    table);
+                    speedTable(*report));
 }
 
 }  // namespace

@@ -42,7 +42,7 @@ ScanDistances compareAt(const Projector& projector, const OccupancyGrid& bluepri
   return distances;
 }
 
-ScanAgreement agreementOf(const std::vector<ScanDistances>& scans, double threshold_m, int beams) {
+ScanAgreement agreementOf(const std::vector<ScanDistances>& scans, double threshold_m) {
   ScanAgreement agreement;
   agreement.threshold_m = threshold_m;
   std::vector<double> means;
@@ -57,7 +57,7 @@ ScanAgreement agreementOf(const std::vector<ScanDistances>& scans, double thresh
       squares += distance * distance;
     }
     if (inliers > 0) means.push_back(sum / inliers);
-    agreement.outliers += static_cast<double>(beams - inliers) / static_cast<double>(scans.size());
+    agreement.outliers += (static_cast<double>(scan.nearest_m.size()) - inliers) / static_cast<double>(scans.size());
     agreement.sum_of_squares_m2 += squares / static_cast<double>(scans.size());
   }
   const ErrorStatistics statistics = summarise(std::move(means));
@@ -69,7 +69,7 @@ ScanAgreement agreementOf(const std::vector<ScanDistances>& scans, double thresh
 std::vector<ScanAgreement> agreements(const std::vector<ScanDistances>& scans, const ScanOptions& options) {
   std::vector<ScanAgreement> all;
   for (const double threshold : options.thresholds_m) {
-    all.push_back(agreementOf(scans, threshold, options.lidar.beams));
+    all.push_back(agreementOf(scans, threshold));
   }
   return all;
 }

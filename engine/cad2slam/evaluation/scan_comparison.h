@@ -31,8 +31,8 @@ struct ScanAgreement {
   /// Mean over the scans of the mean distance [m] of those points that are within the threshold.
   double mean_m = 0.0;
   double deviation_m = 0.0;  ///< of those means, from scan to scan
-  /// Mean number of beams in a scan that have no counterpart within the threshold. Beams that meet nothing in the
-  /// blueprint have none, so outliers and inliers always add up to the number of beams.
+  /// Mean number of points in a scan of the blueprint that have no counterpart within the threshold. A beam that meets
+  /// nothing in the blueprint makes no point: inliers, outliers and those add up to the number of beams.
   double outliers = 0.0;
   double sum_of_squares_m2 = 0.0;  ///< E of eq. 5 over the inliers, mean of the scans
 };
