@@ -35,6 +35,7 @@ VALUE_HEADERS = {
     "cad2slam/map/map_frame.h",
     "cad2slam/map/occupancy_grid.h",
     "cad2slam/mesh/tile_lattice.h",
+    "cad2slam/planning/start_goal.h",
     "cad2slam/projection/projector_data.h",
     "cad2slam/simulation/true_warp.h",
     "cad2slam/solver/solution.h",
