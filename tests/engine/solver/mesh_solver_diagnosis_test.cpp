@@ -56,7 +56,6 @@ class MeshSolverDiagnosisTest : public QObject {
   void leaveOneOutIsLargerThanTheResidual_data() { models(); }
   void leaveOneOutIsLargerThanTheResidual();
   void oneGrossOutlierIsFound();
-  void outlierSpoilsTheSquaredLoss();
   void sigmaGrowsAwayFromAnchors_data() { models(); }
   void sigmaGrowsAwayFromAnchors();
   void sigmaIsAboutTheError();
@@ -119,6 +118,8 @@ void MeshSolverDiagnosisTest::leaveOneOutIsLargerThanTheResidual() {
 void MeshSolverDiagnosisTest::oneGrossOutlierIsFound() {
   AnchorList anchors = clickedAnchors(*mesh_, 30, 7);
   const SolverSettings settings = defaultSettings(Model::kStretch);
+  SolverSettings squared = settings;
+  squared.loss_width_m.reset();
   const AnchorList clean(anchors.begin() + 1, anchors.end());
   const Solution expected = *MeshSolver(mesh_).solve(clean, settings);
   for (const Vector2d& off : {Vector2d(29.0, 0.0), Vector2d(-12.0, 16.0), Vector2d(0.0, -150.0)}) {
@@ -126,24 +127,22 @@ void MeshSolverDiagnosisTest::oneGrossOutlierIsFound() {
     const Solution solution = *MeshSolver(mesh_).solve(anchors, settings);
     QVERIFY(solution.anchors[0].loss_weight < 0.01);
     QVERIFY(solution.anchors[0].leave_one_out_m > 0.8 * off.norm());
-    for (std::size_t k = 1; k < anchors.size(); ++k) QVERIFY(solution.anchors[k].loss_weight > 0.8);
-    const double error = meanNodeError(*mesh_, solution);
+    double residuals = 0.0;
+    double clean_residuals = 0.0;
+    for (std::size_t k = 1; k < anchors.size(); ++k) {
+      QVERIFY(solution.anchors[k].loss_weight > 0.9);
+      residuals += solution.anchors[k].residual_m;
+      clean_residuals += expected.anchors[k - 1].residual_m;
+    }
+    QVERIFY2(residuals < 1.3 * clean_residuals,
+             qPrintable(QString("%1 m, clean %2 m").arg(residuals).arg(clean_residuals)));
+    // What is left of its pull is small beside what it does without the loss.
     const double clean_error = meanNodeError(*mesh_, expected);
-    QVERIFY2(error < 1.1 * clean_error + 0.005,
-             qPrintable(QString("%1 m with the outlier, %2 m without").arg(error).arg(clean_error)));
+    const double added = meanNodeError(*mesh_, solution) - clean_error;
+    const double added_without_loss = meanNodeError(*mesh_, *MeshSolver(mesh_).solve(anchors, squared)) - clean_error;
+    QVERIFY2(added < 0.25 * added_without_loss,
+             qPrintable(QString("%1 m, without loss %2 m").arg(added).arg(added_without_loss)));
   }
-}
-
-void MeshSolverDiagnosisTest::outlierSpoilsTheSquaredLoss() {
-  // The reason for the loss, and a check that the test above can fail.
-  AnchorList anchors = clickedAnchors(*mesh_, 30, 7);
-  SolverSettings settings = defaultSettings(Model::kStretch);
-  settings.loss_width_m.reset();
-  const double clean = meanNodeError(*mesh_, *MeshSolver(mesh_).solve(anchors, settings));
-  anchors[0].in_slam += Vector2d(29.0, 0.0);
-  const Solution solution = *MeshSolver(mesh_).solve(anchors, settings);
-  QCOMPARE(solution.anchors[0].loss_weight, 1.0);
-  QVERIFY(meanNodeError(*mesh_, solution) > 3.0 * clean);
 }
 
 void MeshSolverDiagnosisTest::sigmaGrowsAwayFromAnchors() {
