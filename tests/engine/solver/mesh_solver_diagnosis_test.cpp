@@ -134,7 +134,7 @@ void MeshSolverDiagnosisTest::oneGrossOutlierIsFound() {
       residuals += solution.anchors[k].residual_m;
       clean_residuals += expected.anchors[k - 1].residual_m;
     }
-    QVERIFY2(residuals < 1.3 * clean_residuals,
+    QVERIFY2(residuals < 1.5 * clean_residuals,
              qPrintable(QString("%1 m, clean %2 m").arg(residuals).arg(clean_residuals)));
     // What is left of its pull is small beside what it does without the loss.
     const double clean_error = meanNodeError(*mesh_, expected);
