@@ -390,19 +390,16 @@ class Projector:
 
     def _project(self, direction: Callable[[Floats, bool], tuple[Floats, NDArray[np.uint8]]], poses: ArrayLike,
                  outside: str | None) -> Projections:
-        queries = np.asarray(poses, np.float64)
-        if queries.ndim == 0 or queries.shape[-1] not in (2, 3):
-            raise ValueError("poses must be an array of x, y or of x, y, heading")
+        queries = as_poses(poses)
         policy = self.outside if outside is None else outside
         if policy not in ("error", "rigid"):
             raise ValueError("outside must be 'error' or 'rigid'")
-        flat = queries.reshape(-1, queries.shape[-1])
-        answers = np.empty((len(flat), 3))
+        flat = queries.reshape(-1, 3)
+        answers = np.empty_like(flat)
         status = np.empty(len(flat), np.uint8)
         with np.errstate(all="ignore"):
             for chunk in _chunks(len(flat), _CHUNK):
-                columns = np.zeros((3, len(flat[chunk])))
-                columns[:queries.shape[-1]] = flat[chunk].T
+                columns = np.ascontiguousarray(flat[chunk].T)
                 finite = np.isfinite(columns).all(axis=0)
                 if finite.all():
                     part, status[chunk] = direction(columns, policy == "rigid")
@@ -411,7 +408,7 @@ class Projector:
                     answers[chunk], status[chunk] = np.nan, Status.INVALID
                     part, code = direction(columns[:, finite], policy == "rigid")
                     answers[chunk][finite], status[chunk][finite] = part.T, code
-        return Projections(answers.reshape(queries.shape[:-1] + (3,)), status.reshape(queries.shape[:-1]))
+        return Projections(answers.reshape(queries.shape), status.reshape(queries.shape[:-1]))
 
     def _forward(self, poses: Floats, rigid: bool) -> tuple[Floats, NDArray[np.uint8]]:
         blend, inside = self._extended(poses[:2], answer_outside=rigid)
@@ -648,6 +645,14 @@ class Projector:
                 near[self._table.find(column + dx, row + dy)] = True
         near[-1] = False
         return near
+
+
+def as_poses(poses: ArrayLike) -> Floats:
+    """Contiguous x, y, heading [..., 3] of poses or places."""
+    given = np.ascontiguousarray(poses, np.float64)
+    if np.ndim(poses) == 0 or given.shape[-1] not in (2, 3):
+        raise ValueError("poses must be an array of x, y or of x, y, heading")
+    return given if given.shape[-1] == 3 else np.concatenate([given, np.zeros_like(given[..., :1])], axis=-1)
 
 
 def _chunks(count: int, size: int) -> Iterator[slice]:

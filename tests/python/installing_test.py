@@ -16,7 +16,7 @@ SOURCE = Path(os.environ.get("CAD2SLAM_SOURCE", Path(__file__).resolve().parents
 
 
 class InstallingTest(unittest.TestCase):
-    @unittest.skipIf(subprocess.run([sys.executable, "-c", "import pip, setuptools, wheel"],
+    @unittest.skipIf(subprocess.run([sys.executable, "-c", "import setuptools, pip, wheel"],
                                     capture_output=True).returncode, "no pip, setuptools and wheel")
     def test_pip_installs_from_the_source_tree(self):
         with tempfile.TemporaryDirectory() as folder:
