@@ -13,7 +13,7 @@
 #include "ui/views/raster_source.h"
 #include "ui/views/view_state.h"
 
-namespace cad2slam::ui {
+namespace cad2slam {
 
 /// Shows one raster with its metric frame and everything that lies on it; turns mouse and keys into signals. Values in,
 /// signals out: it keeps no state of the document, so whoever listens decides what a click or a drag means.
@@ -88,21 +88,21 @@ class MapView : public QWidget {
   void clicked(const QPointF& point_m, Qt::KeyboardModifiers modifiers, bool snapped);
   void doubleClicked(const QPointF& point_m);
   /// A press on a marker or pose, before any drag; Ctrl and Shift are for multi-selection.
-  void markerPressed(cad2slam::ui::MarkerId id, Qt::KeyboardModifiers modifiers);
-  void markerDoubleClicked(cad2slam::ui::MarkerId id);
-  void markerMenuRequested(cad2slam::ui::MarkerId id, const QPoint& global_px);
+  void markerPressed(cad2slam::MarkerId id, Qt::KeyboardModifiers modifiers);
+  void markerDoubleClicked(cad2slam::MarkerId id);
+  void markerMenuRequested(cad2slam::MarkerId id, const QPoint& global_px);
   /// Right click on no marker.
   void menuRequested(const QPointF& point_m, const QPoint& global_px);
 
-  void dragStarted(cad2slam::ui::MarkerId id);
-  void dragMoved(cad2slam::ui::MarkerId id, const QPointF& point_m);
-  void dragFinished(cad2slam::ui::MarkerId id, const QPointF& point_m, bool snapped);
-  void dragCancelled(cad2slam::ui::MarkerId id);
+  void dragStarted(cad2slam::MarkerId id);
+  void dragMoved(cad2slam::MarkerId id, const QPointF& point_m);
+  void dragFinished(cad2slam::MarkerId id, const QPointF& point_m, bool snapped);
+  void dragCancelled(cad2slam::MarkerId id);
   /// As dragMoved / dragFinished, for the heading of a turnable pose; framed by dragStarted and dragCancelled as well.
-  void poseTurned(cad2slam::ui::MarkerId id, double heading_rad);
-  void poseTurnFinished(cad2slam::ui::MarkerId id, double heading_rad);
+  void poseTurned(cad2slam::MarkerId id, double heading_rad);
+  void poseTurnFinished(cad2slam::MarkerId id, double heading_rad);
 
-  void hoveredMarkerChanged(cad2slam::ui::MarkerId id);
+  void hoveredMarkerChanged(cad2slam::MarkerId id);
   /// Arrow keys: 1 image pixel in the direction seen on screen, Shift 10, Ctrl 0.1. Nudges that follow each other
   /// within a second share a burst number.
   void nudged(const QPointF& delta_m, int burst);
@@ -118,4 +118,4 @@ class MapView : public QWidget {
   void filesDropped(const QStringList& paths);
 };
 
-}  // namespace cad2slam::ui
+}  // namespace cad2slam

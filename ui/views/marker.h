@@ -10,7 +10,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace cad2slam::ui {
+namespace cad2slam {
 
 /// Identity of something drawn that can be pressed; anchors use their AnchorId.
 using MarkerId = std::int64_t;
@@ -84,4 +84,4 @@ struct MeshOverlay {
   double full_color_strain = 0.05;   ///< strain drawn in the strongest colour
 };
 
-}  // namespace cad2slam::ui
+}  // namespace cad2slam

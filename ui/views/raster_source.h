@@ -7,7 +7,7 @@
 #include <QRect>
 #include <QSize>
 
-namespace cad2slam::ui {
+namespace cad2slam {
 
 /// A square piece of a raster at one level; level l is the raster reduced by 2^l, level 0 the raster itself.
 struct TileKey {
@@ -54,4 +54,4 @@ class RasterSource : public QObject {
   void tilesChanged();
 };
 
-}  // namespace cad2slam::ui
+}  // namespace cad2slam

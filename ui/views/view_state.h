@@ -6,7 +6,7 @@
 #include <QSizeF>
 #include <QTransform>
 
-namespace cad2slam::ui {
+namespace cad2slam {
 
 /// What part of a metric frame a view shows, and how. A value.
 struct ViewState {
@@ -23,4 +23,4 @@ struct ViewState {
   friend bool operator!=(const ViewState& a, const ViewState& b) { return !(a == b); }
 };
 
-}  // namespace cad2slam::ui
+}  // namespace cad2slam
