@@ -2,6 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <QElapsedTimer>
+#include <QTimer>
+#include <QTransform>
+#include <QVariantAnimation>
 #include <QWidget>
 
 #include <memory>
@@ -10,6 +14,9 @@
 
 #include "cad2slam/map/map_frame.h"
 #include "ui/views/marker.h"
+#include "ui/views/marker_painter.h"
+#include "ui/views/mesh_layer.h"
+#include "ui/views/raster_layer.h"
 #include "ui/views/raster_source.h"
 #include "ui/views/view_state.h"
 
@@ -61,6 +68,7 @@ class MapView : public QWidget {
   void setCrosshair(bool on);  ///< over the full view; always on while the loupe is
   void setLoupe(bool on);      ///< kept on; holding Z shows it for as long
   [[nodiscard]] bool isLoupeOn() const;
+  void setLoupeHeld(bool held);  ///< the other view's loupeHeld()
   [[nodiscard]] bool isDragging() const;
 
   // --- what part is shown ------------------------------------------------------------------------------------------
@@ -86,7 +94,6 @@ class MapView : public QWidget {
  signals:
   /// A click on no marker. `snapped`: the point is the corner that was shown before the click.
   void clicked(const QPointF& point_m, Qt::KeyboardModifiers modifiers, bool snapped);
-  void doubleClicked(const QPointF& point_m);
   /// A press on a marker or pose, before any drag; Ctrl and Shift are for multi-selection.
   void markerPressed(cad2slam::MarkerId id, Qt::KeyboardModifiers modifiers);
   void markerDoubleClicked(cad2slam::MarkerId id);
@@ -115,7 +122,126 @@ class MapView : public QWidget {
   void cursorLeft();
   void viewStateChanged();
   void loupeChanged(bool on);
+  void loupeHeld(bool held);  ///< Z went down or up here: the other view may show its loupe as well
   void filesDropped(const QStringList& paths);
+
+ protected:
+  /// The raster itself; a subclass may draw something else in its place, logical pixels.
+  virtual void paintBase(QPainter& painter);
+  /// Over everything else but the loupe.
+  virtual void paintOnTop(QPainter& painter);
+  [[nodiscard]] RasterLayer& raster() { return raster_; }
+  [[nodiscard]] QTransform widgetFromImage() const;
+  [[nodiscard]] QColor backgroundColor() const;
+
+  void paintEvent(QPaintEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
+  void mousePressEvent(QMouseEvent* event) override;
+  void mouseMoveEvent(QMouseEvent* event) override;
+  void mouseReleaseEvent(QMouseEvent* event) override;
+  void mouseDoubleClickEvent(QMouseEvent* event) override;
+  void wheelEvent(QWheelEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
+  void keyReleaseEvent(QKeyEvent* event) override;
+  void leaveEvent(QEvent* event) override;
+  void focusInEvent(QFocusEvent* event) override;
+  void focusOutEvent(QFocusEvent* event) override;
+  void contextMenuEvent(QContextMenuEvent* event) override;
+  void dragEnterEvent(QDragEnterEvent* event) override;
+  void dragLeaveEvent(QDragLeaveEvent* event) override;
+  void dropEvent(QDropEvent* event) override;
+  bool event(QEvent* event) override;
+
+ private:
+  enum class Gesture {
+    kNone,
+    kPressed,  ///< left button down, not moved yet
+    kPan,
+    kDragMarker,
+    kTurnPose,
+    kTurnView,
+    kSpent,  ///< cancelled with Esc; waits for the release
+  };
+  struct Hit {
+    MarkerId id = kNoMarker;
+    QPointF point_m;
+    bool is_pose = false;
+    bool on_handle = false;
+  };
+
+  void paintOverlays(QPainter& painter, const QTransform& widget_from_metres, double px_per_m);
+  void paintLoupe(QPainter& painter);
+  void updateTransform();
+  void changeState(const ViewState& state);
+  void zoomAt(const QPointF& widget_px, double factor);
+  void rotateAt(const QPointF& widget_px, double angle_rad);
+  [[nodiscard]] double clampedResolution(double m_per_px) const;
+
+  [[nodiscard]] std::optional<Hit> hitAt(const QPointF& widget_px) const;
+  [[nodiscard]] const Marker* selectedMarker() const;
+  void beginDrag();
+  void moveDrag(Qt::KeyboardModifiers modifiers);
+  void cancelDrag();
+  void showHover(Qt::KeyboardModifiers modifiers);
+  void findSnap(const QPointF& widget_px, Qt::KeyboardModifiers modifiers);
+  void showCursorShape();
+  void showLoupeWhileHeld(bool held);
+  bool nudge(int key, Qt::KeyboardModifiers modifiers);
+  void stopAnimation();
+
+  // What is shown.
+  RasterLayer raster_;
+  RasterLayer loupe_raster_;
+  MeshLayer mesh_;
+  MarkerPainter marker_painter_;
+  std::optional<MapFrame> frame_;
+  QMetaObject::Connection image_connection_;
+  QString empty_text_;
+  std::vector<Marker> markers_;
+  bool markers_visible_ = true;
+  bool marker_text_visible_ = true;
+  std::optional<Ghost> ghost_;
+  std::vector<ResidualVector> residuals_;
+  double residual_magnification_ = 1.0;
+  std::vector<PoseGlyph> poses_;
+  std::vector<PathGlyph> paths_;
+  std::optional<QPointF> mirrored_cursor_m_;
+  bool mirrored_certain_ = true;
+  MarkerId highlighted_ = kNoMarker;
+  QString chip_text_;
+  bool framed_ = false;
+
+  // How.
+  ViewState state_;
+  QTransform widget_from_metres_;
+  QTransform metres_from_widget_;
+  bool fit_pending_ = false;
+  QVariantAnimation animation_;
+  bool locked_ = false;
+  bool snapping_ = true;
+  bool crosshair_ = false;
+  bool loupe_on_ = false;
+  bool loupe_held_ = false;
+  bool drop_hover_ = false;
+
+  // Where the mouse is and what it does.
+  Gesture gesture_ = Gesture::kNone;
+  std::optional<QPointF> cursor_;  // logical pixels, while over the view
+  QPointF press_;
+  QPointF last_;
+  std::optional<Hit> pressed_;
+  QPointF grab_offset_;  // from the cursor to the place of what is dragged
+  QPointF drag_point_m_;
+  double drag_heading_ = 0.0;
+  bool drag_snapped_ = false;
+  MarkerId hovered_ = kNoMarker;
+  bool compass_hovered_ = false;
+  bool space_held_ = false;
+  bool long_pressed_ = false;
+  std::optional<QPointF> snap_m_;
+  QTimer long_press_;
+  QElapsedTimer last_nudge_;
+  int burst_ = 0;
 };
 
 }  // namespace cad2slam
