@@ -21,10 +21,16 @@ EditAnchorsCommand::EditAnchorsCommand(ProjectDocument& document, std::vector<An
       next_id_before_(document.nextId()),
       next_id_after_(next_id),
       gesture_(gesture),
-      interim_(interim) {}
+      interim_(interim) {
+  // A gesture may end without having moved anything: it must be announced, but leave no step.
+  setObsolete(std::all_of(changes_.begin(), changes_.end(),
+                          [](const AnchorChange& change) { return change.before == change.after; }));
+}
 
 void EditAnchorsCommand::redo() {
   ChangeEvent event;
+  // The end of a gesture wants the full answer even where the last step moved nothing.
+  if (gesture_ != kNoGesture && !interim_) event.what |= Change::kAnchors;
   event.interim = interim_ && first_time_;
   event.by_history = !first_time_;
   first_time_ = false;
@@ -70,7 +76,7 @@ QString text(const char* source, AnchorId id) {
 /// Pushes one step that gives each named anchor the value that `change` makes of it.
 void push(ProjectDocument& document, const std::vector<AnchorId>& ids, const QString& text,
           const std::function<void(Anchor&)>& change, int gesture = EditAnchorsCommand::kNoGesture,
-          bool interim = false, bool always = false) {
+          bool interim = false, bool always = false, bool snapped = false) {
   std::vector<AnchorChange> changes;
   const AnchorList& anchors = document.anchors();
   for (std::size_t i = 0; i < anchors.size(); ++i) {
@@ -81,7 +87,7 @@ void push(ProjectDocument& document, const std::vector<AnchorId>& ids, const QSt
     edited.snapped_before = document.isSnapped(anchors[i].id);
     const bool moved =
         edited.after->in_blueprint != edited.before->in_blueprint || edited.after->in_slam != edited.before->in_slam;
-    edited.snapped_after = edited.snapped_before && !moved;
+    edited.snapped_after = moved || always ? snapped : edited.snapped_before;
     changes.push_back(std::move(edited));
   }
   if (changes.empty()) return;
@@ -104,12 +110,12 @@ AnchorId addAnchor(ProjectDocument& document, const Eigen::Vector2d& in_blueprin
   return id;
 }
 
-void moveAnchor(ProjectDocument& document, AnchorId id, Side side, const Eigen::Vector2d& to, int gesture,
-                bool interim) {
+void moveAnchor(ProjectDocument& document, AnchorId id, Side side, const Eigen::Vector2d& to, int gesture, bool interim,
+                bool snapped) {
   // The last step of a gesture is pushed even where nothing moved: it asks for the full answer.
   push(
       document, {id}, text(QT_TRANSLATE_NOOP("edit", "move anchor %1"), id),
-      [&](Anchor& anchor) { half(anchor, side) = to; }, gesture, interim, !interim);
+      [&](Anchor& anchor) { half(anchor, side) = to; }, gesture, interim, !interim, snapped);
 }
 
 void setCoordinates(ProjectDocument& document, AnchorId id, const Eigen::Vector2d& in_blueprint,

@@ -47,7 +47,7 @@ AnchorId addAnchor(ProjectDocument& document, const Eigen::Vector2d& in_blueprin
                    bool snapped = false);
 /// Moves one half. Calls with the same gesture merge to one step; `interim` while the gesture goes on.
 void moveAnchor(ProjectDocument& document, AnchorId id, Side side, const Eigen::Vector2d& to, int gesture,
-                bool interim = false);
+                bool interim = false, bool snapped = false);
 /// Replaces both points, as typed into the table.
 void setCoordinates(ProjectDocument& document, AnchorId id, const Eigen::Vector2d& in_blueprint,
                     const Eigen::Vector2d& in_slam);
