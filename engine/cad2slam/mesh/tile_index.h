@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <Eigen/Core>
+
 #include <array>
 #include <cstdint>
 #include <optional>
@@ -31,6 +33,14 @@ class TileIndex {
     return block == nullptr ? kNone : block[((row & kMask) << kShift) | (column & kMask)];
   }
 
+  /// The occupied tile nearest to a place given in continuous tile coordinates [cells], measured to the tile's square;
+  /// the index must not be empty. Constant time near the mesh, linear in the number of blocks far from it.
+  [[nodiscard]] TileCoordinate nearestTile(const Eigen::Vector2d& cells) const;
+
+  /// Numbers the nodes anew in the order in which they lie in memory, so that neighbours share cache lines.
+  /// Returns the old number of each new one.
+  std::vector<std::uint32_t> renumberInMemoryOrder();
+
   /// Nodes of the 3 x 3 tiles around a tile, row by row from the lower left; kNone where there is none.
   [[nodiscard]] std::array<std::uint32_t, 9> neighbourhood(std::int32_t column, std::int32_t row) const;
 
@@ -59,6 +69,7 @@ class TileIndex {
     const std::uint64_t mixed = key * 0x9e3779b97f4a7c15ULL;
     return static_cast<std::size_t>(mixed ^ (mixed >> 32));
   }
+  [[nodiscard]] std::uint32_t& entry(const TileCoordinate& tile);
   void grow();
 
   TileLattice lattice_;

@@ -22,11 +22,16 @@ struct PlannerSettings {
 struct PlannedPath {
   std::vector<Pose2> poses;  ///< map frame; headings along the path; first is the start, last is the goal
   double length_m = 0.0;
+  /// Cost of the best way on the 8-connected grid between the pixels of start and goal: its length [m], each metre
+  /// counted up to 1 + clearance_cost times near walls. The returned path is never dearer than that way and the steps
+  /// from both ends to the centres of their pixels.
+  double grid_cost_m = 0.0;
 };
 
-/// Finds a way over free pixels with A* on the 8-connected grid and shortens it to any angle where nothing but free
-/// space (and no lost clearance) lies in between.
-/// kOutOfDomain: start or goal is outside the map or not free; kDegenerate: no path between them.
+/// Finds a way over free pixels with A* on the 8-connected grid (no cutting of corners) and shortens it to any angle
+/// where nothing but free space (and no lost clearance) lies in between. Outside of the raster nothing is free.
+/// kOutOfDomain: start or goal is outside the map, not free or nearer than the robot's radius to a wall, or a setting
+/// is no length; kDegenerate: no path between them.
 [[nodiscard]] Result<PlannedPath> planPath(const OccupancyGrid& map, const Eigen::Vector2d& start_m,
                                            const Eigen::Vector2d& goal_m, const PlannerSettings& settings = {});
 

@@ -1,3 +1,523 @@
 // SPDX-FileCopyrightText: 2026 The CAD2SLAM authors
 // SPDX-License-Identifier: Apache-2.0
 #include "cad2slam/projection/projector.h"
+
+#include <Eigen/LU>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <mutex>
+#include <string>
+#include <thread>
+#include <utility>
+#include <vector>
+
+#include "cad2slam/mesh/tile_index.h"
+#include "cad2slam/projection/spatial_hash.h"
+
+namespace cad2slam {
+namespace {
+
+using Eigen::Matrix2d;
+using Eigen::Vector2d;
+
+constexpr double kLargestCell = 1e9;             // tile numbers stay far inside 32 bits
+constexpr double kLargestStretch = 5.0;          // e^5: no map of a building is 148 times longer than its plan
+constexpr double kPaperDistanceOffset_m = 1e-3;  // the authors' guard against dividing by zero
+
+/// What one node predicts, as an affine function of the place in the blueprint: linear * p + offset.
+struct NodePrediction {
+  Matrix2d linear;
+  Vector2d offset;
+};
+
+/// Weights of a quadratic B-spline at the three lattice centres around a place, and their derivatives.
+struct SplineWeights {
+  double value[3];
+  double slope[3];
+
+  explicit SplineWeights(double fraction)
+      : value{0.5 * (1.0 - fraction) * (1.0 - fraction), 0.75 - (fraction - 0.5) * (fraction - 0.5),
+              0.5 * fraction * fraction},
+        slope{fraction - 1.0, 1.0 - 2.0 * fraction, fraction} {}
+};
+
+/// Weighted sums over the nodes around a place. Derivatives are with respect to the coordinate in which the weights
+/// were given to add().
+struct BlendSums {
+  double weight = 0.0;
+  Vector2d weight_slope = Vector2d::Zero();
+  Vector2d position = Vector2d::Zero();
+  Matrix2d linear = Matrix2d::Zero();
+  Matrix2d position_slope = Matrix2d::Zero();
+
+  void add(const NodePrediction& node, const Vector2d& point, double w, double slope_x, double slope_y) {
+    const Vector2d predicted = node.linear * point + node.offset;
+    weight += w;
+    weight_slope.x() += slope_x;
+    weight_slope.y() += slope_y;
+    position += w * predicted;
+    linear += w * node.linear;
+    position_slope.col(0) += slope_x * predicted;
+    position_slope.col(1) += slope_y * predicted;
+  }
+};
+
+/// The forward function at one place.
+struct Blend {
+  Vector2d position;  ///< [m], SLAM frame
+  Matrix2d linear;    ///< weighted mean of the nodes' linear parts: turns headings
+  Matrix2d jacobian;  ///< true derivative of the position
+};
+
+double headingAfter(const Matrix2d& linear, double heading) {
+  const Vector2d direction = linear * Vector2d(std::cos(heading), std::sin(heading));
+  return wrapAngle(std::atan2(direction.y(), direction.x()));
+}
+
+Projection noPose(ProjectionStatus status) {
+  constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+  return {{{kNaN, kNaN}, kNaN}, status};
+}
+
+tl::unexpected<Error> malformedNode(std::size_t node, const std::string& what) {
+  return fail(ErrorCode::kMalformed, "node " + std::to_string(node) + " of the projector " + what);
+}
+
+}  // namespace
+
+class Projector::Impl {
+ public:
+  static Result<std::shared_ptr<const Impl>> create(const ProjectorInfo& info, const ProjectorArrays& arrays);
+
+  [[nodiscard]] Projection forward(const Pose2& pose, OutsidePolicy outside) const;
+  [[nodiscard]] Projection backward(const Pose2& pose, OutsidePolicy outside) const;
+  [[nodiscard]] Matrix2d jacobian(const Vector2d& point) const;
+  [[nodiscard]] std::size_t foldedTileCount() const;
+  [[nodiscard]] double distanceToMesh(const Vector2d& point) const;
+  [[nodiscard]] std::vector<Vector2d> tileMiddles() const;
+
+  ProjectorInfo info;
+  std::vector<NodePrediction> nodes;
+
+ private:
+  struct Extended {
+    Blend blend;  ///< at the nearest place of the mesh
+    Vector2d position;
+    bool inside;
+  };
+  struct Preimage {
+    Vector2d point = Vector2d::Zero();
+    Blend blend;
+    bool converged = false;
+    bool inside = false;
+  };
+
+  [[nodiscard]] Vector2d cellsOf(const Vector2d& point) const { return cells_from_blueprint_ * point + cells_offset_; }
+  [[nodiscard]] bool tileOf(const Vector2d& cells, TileCoordinate& tile) const;
+  [[nodiscard]] Blend blendSmooth(const Vector2d& point, const Vector2d& cells, const TileCoordinate& tile) const;
+  [[nodiscard]] Blend blendPaper(const Vector2d& point, const TileCoordinate& tile) const;
+  [[nodiscard]] Blend blend(const Vector2d& point, const Vector2d& cells, const TileCoordinate& tile) const {
+    return info.weights == BlendWeights::kSmooth ? blendSmooth(point, cells, tile) : blendPaper(point, tile);
+  }
+  [[nodiscard]] Vector2d nearestPlaceOnMesh(const Vector2d& cells) const;
+  [[nodiscard]] Extended extended(const Vector2d& point) const;
+  [[nodiscard]] Preimage preimageFrom(const Vector2d& start, const Vector2d& target) const;
+  [[nodiscard]] bool hasOtherPreimage(const Preimage& found, const Vector2d& target,
+                                      const SpatialHash::Candidates& seeds) const;
+  [[nodiscard]] Vector2d centerOf(std::uint32_t node) const {
+    return info.lattice.blueprintFromCells(Vector2d(tiles_[node].column + 0.5, tiles_[node].row + 0.5));
+  }
+  [[nodiscard]] const std::vector<bool>& foldedTiles() const;
+  [[nodiscard]] bool foldsNear(const TileCoordinate& tile) const;
+
+  TileIndex index_;
+  std::vector<TileCoordinate> tiles_;
+  std::vector<Vector2d> centers_;  // only with the paper's weights, which measure distances to the true centres
+  SpatialHash seeds_;
+  Matrix2d cells_from_blueprint_ = Matrix2d::Identity();
+  Vector2d cells_offset_ = Vector2d::Zero();
+
+  mutable std::once_flag folds_counted_;
+  mutable std::vector<bool> folded_;
+  mutable std::size_t folded_count_ = 0;
+};
+
+Result<std::shared_ptr<const Projector::Impl>> Projector::Impl::create(const ProjectorInfo& info,
+                                                                       const ProjectorArrays& arrays) {
+  const TileLattice& lattice = info.lattice;
+  if (!(lattice.cell_size > 0.0) || !std::isfinite(lattice.cell_size) || !lattice.blueprint_from_lattice.isFinite()) {
+    return fail(ErrorCode::kMalformed, "the projector has no finite, positive cell size and finite origin");
+  }
+  if (!(info.scale > 0.0) || !std::isfinite(info.scale)) {
+    return fail(ErrorCode::kMalformed, "the projector has no finite, positive scale");
+  }
+  if (!(info.radius_m > 0.0) || !(info.radius_m <= 1000.0 * lattice.cell_size)) {
+    return fail(ErrorCode::kMalformed, "the radius of the projector is not between 0 and 1000 cells");
+  }
+  if (arrays.node_count == 0) return fail(ErrorCode::kMalformed, "the projector has no node");
+  if (arrays.node_count >= TileIndex::kNone) return fail(ErrorCode::kMalformed, "the projector has too many nodes");
+
+  auto impl = std::make_shared<Impl>();
+  impl->info = info;
+  impl->cells_from_blueprint_ = rotationMatrix(-lattice.blueprint_from_lattice.heading) / lattice.cell_size;
+  impl->cells_offset_ = -(impl->cells_from_blueprint_ * lattice.blueprint_from_lattice.translation);
+
+  static_assert(sizeof(TileCoordinate) == 2 * sizeof(std::int32_t));
+  const auto* tiles = reinterpret_cast<const TileCoordinate*>(arrays.node_tile);
+  for (std::size_t i = 0; i < arrays.node_count; ++i) {
+    if (std::abs(static_cast<double>(tiles[i].column)) > kLargestCell ||
+        std::abs(static_cast<double>(tiles[i].row)) > kLargestCell) {
+      return malformedNode(i, "lies on a tile outside any building");
+    }
+  }
+  std::optional<TileIndex> index = TileIndex::create(lattice, tiles, arrays.node_count);
+  if (!index) return fail(ErrorCode::kMalformed, "the projector has two nodes on one tile");
+  impl->index_ = std::move(*index);
+
+  const std::vector<std::uint32_t> file_order = impl->index_.renumberInMemoryOrder();
+  impl->nodes.resize(arrays.node_count);
+  impl->tiles_.resize(arrays.node_count);
+  if (info.weights == BlendWeights::kPaper) impl->centers_.resize(arrays.node_count);
+  std::vector<Vector2d> positions(arrays.node_count);
+  for (std::size_t i = 0; i < arrays.node_count; ++i) {
+    const std::size_t row = file_order[i];
+    const Vector2d center(arrays.node_blueprint[2 * row], arrays.node_blueprint[2 * row + 1]);
+    const Vector2d in_slam(arrays.node_slam[3 * row], arrays.node_slam[3 * row + 1]);
+    const double heading = arrays.node_slam[3 * row + 2];
+    const Vector2d stretch(arrays.node_stretch[2 * row], arrays.node_stretch[2 * row + 1]);
+    if (!center.allFinite() || !in_slam.allFinite() || !std::isfinite(heading) || !stretch.allFinite()) {
+      return malformedNode(row, "is not finite");
+    }
+    if (stretch.cwiseAbs().maxCoeff() > kLargestStretch) return malformedNode(row, "is stretched beyond reason");
+    const TileCoordinate tile = tiles[row];
+    const Vector2d off_middle = impl->cellsOf(center) - Vector2d(tile.column + 0.5, tile.row + 0.5);
+    if (off_middle.cwiseAbs().maxCoeff() > 1.0) return malformedNode(row, "does not lie on its tile");
+    NodePrediction& node = impl->nodes[i];
+    const Vector2d factors = info.scale * stretch.array().exp().matrix();
+    node.linear = rotationMatrix(heading) * factors.asDiagonal();
+    node.offset = in_slam - node.linear * center;
+    impl->tiles_[i] = tile;
+    positions[i] = in_slam;
+    if (!impl->centers_.empty()) impl->centers_[i] = center;
+  }
+  impl->seeds_ = SpatialHash(positions, 2.0 * info.scale * lattice.cell_size);
+  return impl;
+}
+
+bool Projector::Impl::tileOf(const Vector2d& cells, TileCoordinate& tile) const {
+  if (!(cells.cwiseAbs().maxCoeff() < kLargestCell)) return false;
+  tile = {static_cast<std::int32_t>(std::floor(cells.x())), static_cast<std::int32_t>(std::floor(cells.y()))};
+  return true;
+}
+
+Blend Projector::Impl::blendSmooth(const Vector2d& point, const Vector2d& cells, const TileCoordinate& tile) const {
+  const SplineWeights across(cells.x() - tile.column);
+  const SplineWeights up(cells.y() - tile.row);
+  const std::array<std::uint32_t, 9> around = index_.neighbourhood(tile.column, tile.row);
+  BlendSums sums;
+  for (std::size_t k = 0; k < 9; ++k) {
+    if (around[k] == TileIndex::kNone) continue;
+    const std::size_t column = k % 3;
+    const std::size_t row = k / 3;
+    sums.add(nodes[around[k]], point, across.value[column] * up.value[row], across.slope[column] * up.value[row],
+             across.value[column] * up.slope[row]);
+  }
+  const double inverse_weight = 1.0 / sums.weight;
+  Blend blend;
+  blend.position = sums.position * inverse_weight;
+  blend.linear = sums.linear * inverse_weight;
+  const Matrix2d slope_per_cell =
+      (sums.position_slope - blend.position * sums.weight_slope.transpose()) * inverse_weight;
+  blend.jacobian = blend.linear + slope_per_cell * cells_from_blueprint_;
+  return blend;
+}
+
+Blend Projector::Impl::blendPaper(const Vector2d& point, const TileCoordinate& tile) const {
+  const auto reach = static_cast<std::int32_t>(std::ceil(info.radius_m / info.lattice.cell_size)) + 1;
+  BlendSums sums;
+  for (std::int32_t dy = -reach; dy <= reach; ++dy) {
+    for (std::int32_t dx = -reach; dx <= reach; ++dx) {
+      const std::uint32_t node = index_.at(tile.column + dx, tile.row + dy);
+      if (node == TileIndex::kNone) continue;
+      const Vector2d to_query = point - centers_[node];
+      const double distance = to_query.norm();
+      if (distance >= info.radius_m && !(dx == 0 && dy == 0)) continue;  // the query's own tile always counts
+      const double weight = 1.0 / (distance + kPaperDistanceOffset_m);
+      const Vector2d slope = distance > 0.0 ? Vector2d(-weight * weight / distance * to_query) : Vector2d::Zero();
+      sums.add(nodes[node], point, weight, slope.x(), slope.y());
+    }
+  }
+  Blend blend;
+  blend.position = sums.position / sums.weight;
+  blend.linear = sums.linear / sums.weight;
+  blend.jacobian = blend.linear + (sums.position_slope - blend.position * sums.weight_slope.transpose()) / sums.weight;
+  return blend;
+}
+
+Projection Projector::Impl::forward(const Pose2& pose, OutsidePolicy outside) const {
+  if (!pose.isFinite()) return noPose(ProjectionStatus::kInvalid);
+  const Vector2d cells = cellsOf(pose.translation);
+  TileCoordinate tile;
+  if (tileOf(cells, tile) && index_.at(tile.column, tile.row) != TileIndex::kNone) {
+    const Blend here = blend(pose.translation, cells, tile);
+    if (!(here.jacobian.determinant() > 0.0)) return noPose(ProjectionStatus::kFolded);
+    return {{here.position, headingAfter(here.linear, pose.heading)}, ProjectionStatus::kInside};
+  }
+  if (outside == OutsidePolicy::kError) return noPose(ProjectionStatus::kOutside);
+  const Extended beyond = extended(pose.translation);
+  if (!(beyond.blend.jacobian.determinant() > 0.0)) return noPose(ProjectionStatus::kFolded);
+  return {{beyond.position, headingAfter(beyond.blend.linear, pose.heading)}, ProjectionStatus::kExtrapolated};
+}
+
+/// In cells; the place is just inside the half-open square of its tile.
+Vector2d Projector::Impl::nearestPlaceOnMesh(const Vector2d& cells) const {
+  const TileCoordinate tile = index_.nearestTile(cells);
+  const Vector2d low(tile.column, tile.row);
+  constexpr double kJustInside = 1.0 - 1e-10;
+  return cells.cwiseMax(low).cwiseMin(Vector2d(low.array() + kJustInside));
+}
+
+/// The forward function continued beyond the mesh: the nearest place of the mesh carries the query along rigidly.
+Projector::Impl::Extended Projector::Impl::extended(const Vector2d& point) const {
+  const Vector2d cells = cellsOf(point);
+  TileCoordinate tile;
+  if (tileOf(cells, tile) && index_.at(tile.column, tile.row) != TileIndex::kNone) {
+    const Blend here = blend(point, cells, tile);
+    return {here, here.position, true};
+  }
+  const Vector2d near_cells = nearestPlaceOnMesh(cells);
+  (void)tileOf(near_cells, tile);
+  const Vector2d near_point = info.lattice.blueprintFromCells(near_cells);
+  const Blend near = blend(near_point, near_cells, tile);
+  return {near, near.position + near.linear * (point - near_point), false};
+}
+
+Matrix2d Projector::Impl::jacobian(const Vector2d& point) const {
+  const Extended at = extended(point);
+  return at.inside ? at.blend.jacobian : at.blend.linear;
+}
+
+/// Newton's method on the continued forward function. Steps are kept below a cell and a half, so that the iteration
+/// cannot leave the sheet of the mesh it started on.
+Projector::Impl::Preimage Projector::Impl::preimageFrom(const Vector2d& start, const Vector2d& target) const {
+  constexpr int kIterations = 40;
+  constexpr double kTolerance_m = 1e-10;
+  const double largest_step = 1.5 * info.lattice.cell_size;
+  Preimage preimage;
+  preimage.point = start;
+  for (int iteration = 0; iteration < kIterations; ++iteration) {
+    const Extended at = extended(preimage.point);
+    preimage.blend = at.blend;
+    preimage.inside = at.inside;
+    const Vector2d missing = target - at.position;
+    if (missing.squaredNorm() < kTolerance_m * kTolerance_m) {
+      preimage.converged = true;
+      return preimage;
+    }
+    const Matrix2d& slope = at.inside ? at.blend.jacobian : at.blend.linear;
+    const double determinant = slope.determinant();
+    if (!(determinant > 1e-6 * info.scale * info.scale)) return preimage;
+    Vector2d step = slope.inverse() * missing;
+    if (const double length = step.norm(); at.inside && length > largest_step) step *= largest_step / length;
+    preimage.point += step;
+    if (!preimage.point.allFinite()) return preimage;
+  }
+  return preimage;
+}
+
+Projection Projector::Impl::backward(const Pose2& pose, OutsidePolicy outside) const {
+  if (!pose.isFinite()) return noPose(ProjectionStatus::kInvalid);
+  const Vector2d& target = pose.translation;
+  const SpatialHash::Candidates seeds = seeds_.near(target);
+  Preimage best;
+  const auto tryFrom = [&](std::uint32_t node) {
+    const Preimage preimage = preimageFrom(centerOf(node), target);
+    const bool better = preimage.converged && (!best.converged || (preimage.inside && !best.inside));
+    if (better) best = preimage;
+    return best.converged && best.inside;
+  };
+  for (std::size_t k = 0; k < seeds.count; ++k) {
+    if (tryFrom(seeds.nodes[k])) break;
+  }
+  if (!best.converged && outside == OutsidePolicy::kRigid && seeds.count == 0) (void)tryFrom(seeds_.nearest(target));
+  if (!best.converged) return noPose(ProjectionStatus::kOutside);
+  if (!best.inside) {
+    // Rounding may put the preimage of a border place a hair outside: that is still the border.
+    const Vector2d cells = cellsOf(best.point);
+    const Vector2d border = nearestPlaceOnMesh(cells);
+    constexpr double kHair_cells = 1e-8;
+    if ((border - cells).norm() < kHair_cells) {
+      best.point = info.lattice.blueprintFromCells(border);
+      best.inside = true;
+    }
+  }
+  if (!best.inside && outside == OutsidePolicy::kError) return noPose(ProjectionStatus::kOutside);
+  if (!(best.blend.jacobian.determinant() > 0.0) || (best.inside && hasOtherPreimage(best, target, seeds))) {
+    return noPose(ProjectionStatus::kFolded);
+  }
+  return {{best.point, headingAfter(best.blend.linear.inverse(), pose.heading)},
+          best.inside ? ProjectionStatus::kInside : ProjectionStatus::kExtrapolated};
+}
+
+/// Whether another place of the mesh lands on the same target: where the mesh folds, or where two distant parts of it
+/// overlap in the SLAM frame.
+bool Projector::Impl::hasOtherPreimage(const Preimage& found, const Vector2d& target,
+                                       const SpatialHash::Candidates& seeds) const {
+  constexpr std::int32_t kSameSheet = 3;  // tiles
+  TileCoordinate tile;
+  (void)tileOf(cellsOf(found.point), tile);
+  const bool folds = foldsNear(tile);
+  for (std::size_t k = 0; k < seeds.count; ++k) {
+    const TileCoordinate other = tiles_[seeds.nodes[k]];
+    const bool far = std::abs(other.column - tile.column) > kSameSheet || std::abs(other.row - tile.row) > kSameSheet;
+    if (!far && !folds) continue;
+    const Preimage preimage = preimageFrom(centerOf(seeds.nodes[k]), target);
+    if (preimage.converged && preimage.inside &&
+        (preimage.point - found.point).norm() > 1e-6 * info.lattice.cell_size) {
+      return true;
+    }
+  }
+  return false;
+}
+
+const std::vector<bool>& Projector::Impl::foldedTiles() const {
+  std::call_once(folds_counted_, [this] {
+    folded_.assign(nodes.size(), false);
+    constexpr double kEdge = 1e-9;
+    const Vector2d samples[] = {
+        {0.5, 0.5}, {kEdge, kEdge}, {1 - kEdge, kEdge}, {kEdge, 1 - kEdge}, {1 - kEdge, 1 - kEdge}};
+    for (std::size_t node = 0; node < nodes.size(); ++node) {
+      const Vector2d corner(tiles_[node].column, tiles_[node].row);
+      const bool folds = std::any_of(std::begin(samples), std::end(samples), [&](const Vector2d& sample) {
+        const Vector2d cells = corner + sample;
+        return !(blend(info.lattice.blueprintFromCells(cells), cells, tiles_[node]).jacobian.determinant() > 0.0);
+      });
+      folded_[node] = folds;
+      folded_count_ += folds ? 1 : 0;
+    }
+  });
+  return folded_;
+}
+
+bool Projector::Impl::foldsNear(const TileCoordinate& tile) const {
+  if (foldedTileCount() == 0) return false;
+  constexpr std::int32_t kReach = 2;
+  for (std::int32_t dy = -kReach; dy <= kReach; ++dy) {
+    for (std::int32_t dx = -kReach; dx <= kReach; ++dx) {
+      const std::uint32_t node = index_.at(tile.column + dx, tile.row + dy);
+      if (node != TileIndex::kNone && foldedTiles()[node]) return true;
+    }
+  }
+  return false;
+}
+
+std::size_t Projector::Impl::foldedTileCount() const {
+  (void)foldedTiles();
+  return folded_count_;
+}
+
+double Projector::Impl::distanceToMesh(const Vector2d& point) const {
+  if (!point.allFinite()) return std::numeric_limits<double>::infinity();
+  const Vector2d cells = cellsOf(point);
+  TileCoordinate tile;
+  if (tileOf(cells, tile) && index_.at(tile.column, tile.row) != TileIndex::kNone) return 0.0;
+  return (nearestPlaceOnMesh(cells) - cells).norm() * info.lattice.cell_size;
+}
+
+std::vector<Vector2d> Projector::Impl::tileMiddles() const {
+  std::vector<Vector2d> middles;
+  middles.reserve(tiles_.size());
+  for (std::uint32_t node = 0; node < tiles_.size(); ++node) middles.push_back(centerOf(node));
+  return middles;
+}
+
+Result<Projector> Projector::create(const ProjectorInfo& info, const ProjectorArrays& arrays) {
+  Result<std::shared_ptr<const Impl>> impl = Impl::create(info, arrays);
+  if (!impl) return failAs(impl);
+  return Projector(std::move(*impl));
+}
+
+Result<Projector> Projector::create(const ProjectorData& data) {
+  const std::size_t n = data.node_blueprint.size();
+  if (data.node_slam.size() != n || data.node_stretch.size() != n || data.node_tile.size() != n) {
+    return fail(ErrorCode::kMalformed, "the projector's node arrays differ in length");
+  }
+  std::vector<double> slam;
+  slam.reserve(3 * n);
+  for (const Pose2& pose : data.node_slam) {
+    slam.insert(slam.end(), {pose.translation.x(), pose.translation.y(), pose.heading});
+  }
+  static_assert(sizeof(Vector2d) == 2 * sizeof(double));
+  const auto* blueprint = reinterpret_cast<const double*>(data.node_blueprint.data());
+  const auto* stretch = reinterpret_cast<const double*>(data.node_stretch.data());
+  const auto* tile = reinterpret_cast<const std::int32_t*>(data.node_tile.data());
+  return create(data.info, {n, blueprint, slam.data(), stretch, tile});
+}
+
+const ProjectorInfo& Projector::info() const {
+  return impl_->info;
+}
+std::size_t Projector::nodeCount() const {
+  return impl_->nodes.size();
+}
+std::size_t Projector::foldedTileCount() const {
+  return impl_->foldedTileCount();
+}
+
+Projection Projector::slamFromBlueprint(const Pose2& pose_in_blueprint, OutsidePolicy outside) const {
+  return impl_->forward(pose_in_blueprint, outside);
+}
+Projection Projector::blueprintFromSlam(const Pose2& pose_in_slam, OutsidePolicy outside) const {
+  return impl_->backward(pose_in_slam, outside);
+}
+Projection Projector::slamFromBlueprint(const Pose2& pose_in_blueprint) const {
+  return impl_->forward(pose_in_blueprint, impl_->info.outside);
+}
+Projection Projector::blueprintFromSlam(const Pose2& pose_in_slam) const {
+  return impl_->backward(pose_in_slam, impl_->info.outside);
+}
+
+namespace {
+
+template <class Query>
+void projectAll(const Pose2* in, Projection* out, std::size_t count, unsigned threads, const Query& query) {
+  constexpr std::size_t kWorthAThread = 4096;
+  if (threads == 0) threads = std::max(1U, std::thread::hardware_concurrency());
+  const std::size_t parts = std::clamp<std::size_t>(count / kWorthAThread, 1, threads);
+  const auto part = [&](std::size_t k) {
+    for (std::size_t i = count * k / parts; i < count * (k + 1) / parts; ++i) out[i] = query(in[i]);
+  };
+  std::vector<std::thread> workers;
+  workers.reserve(parts - 1);
+  for (std::size_t k = 1; k < parts; ++k) workers.emplace_back(part, k);
+  part(0);
+  for (std::thread& worker : workers) worker.join();
+}
+
+}  // namespace
+
+void Projector::slamFromBlueprint(const Pose2* in, Projection* out, std::size_t count, OutsidePolicy outside,
+                                  unsigned threads) const {
+  projectAll(in, out, count, threads, [&](const Pose2& pose) { return impl_->forward(pose, outside); });
+}
+
+void Projector::blueprintFromSlam(const Pose2* in, Projection* out, std::size_t count, OutsidePolicy outside,
+                                  unsigned threads) const {
+  projectAll(in, out, count, threads, [&](const Pose2& pose) { return impl_->backward(pose, outside); });
+}
+
+Eigen::Matrix2d Projector::jacobian(const Eigen::Vector2d& point_in_blueprint) const {
+  return impl_->jacobian(point_in_blueprint);
+}
+
+double Projector::distanceToMesh(const Eigen::Vector2d& point_in_blueprint) const {
+  return impl_->distanceToMesh(point_in_blueprint);
+}
+
+std::vector<Eigen::Vector2d> Projector::tileMiddles() const {
+  return impl_->tileMiddles();
+}
+
+}  // namespace cad2slam

@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <vector>
 
 #include "cad2slam/core/result.h"
 #include "cad2slam/projection/projector_data.h"
@@ -73,6 +74,12 @@ class Projector {
 
   /// d position_in_slam / d position_in_blueprint at a place of the blueprint [m], extrapolated where it is outside.
   [[nodiscard]] Eigen::Matrix2d jacobian(const Eigen::Vector2d& point_in_blueprint) const;
+
+  /// Distance [m] from a place of the blueprint to the nearest tile of the mesh; 0 on a tile.
+  [[nodiscard]] double distanceToMesh(const Eigen::Vector2d& point_in_blueprint) const;
+
+  /// Middles of all tiles [m] in the blueprint frame, in no particular order.
+  [[nodiscard]] std::vector<Eigen::Vector2d> tileMiddles() const;
 
  private:
   class Impl;

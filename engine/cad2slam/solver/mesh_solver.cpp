@@ -1,3 +1,304 @@
 // SPDX-FileCopyrightText: 2026 The CAD2SLAM authors
 // SPDX-License-Identifier: Apache-2.0
 #include "cad2slam/solver/mesh_solver.h"
+
+#include <Eigen/LU>
+
+#include <chrono>
+#include <cmath>
+#include <limits>
+#include <string>
+#include <utility>
+
+#include "cad2slam/anchors/anchor_checks.h"
+#include "cad2slam/solver/build_objective.h"
+#include "cad2slam/solver/ceres_backend.h"
+#include "cad2slam/solver/global_fit.h"
+#include "cad2slam/solver/minimiser.h"
+#include "cad2slam/solver/normal_matrix.h"
+#include "cad2slam/solver/objective.h"
+
+namespace cad2slam {
+namespace {
+
+using Eigen::Matrix2d;
+using Eigen::Vector2d;
+
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+
+class Stopwatch {
+ public:
+  [[nodiscard]] double lap() {
+    const auto now = std::chrono::steady_clock::now();
+    const double seconds = std::chrono::duration<double>(now - start_).count();
+    start_ = now;
+    return seconds;
+  }
+
+ private:
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+Solution rigidSolution(const Mesh& mesh, const Similarity2& global_fit) {
+  Solution solution;
+  solution.global_fit = global_fit;
+  solution.node_slam.reserve(mesh.nodeCount());
+  for (const Vector2d& center : mesh.centers()) solution.node_slam.push_back(global_fit * Pose2{center, 0.0});
+  solution.node_stretch.assign(mesh.nodeCount(), Vector2d::Zero());
+  return solution;
+}
+
+/// Writes the derivative of up to two anchor terms into one thin matrix: columns 0, 1 of `left`, columns 2, 3 of
+/// `right`.
+NormalMatrix::SparseColumns derivativeColumns(const Objective& objective, const AnchorTerm& left,
+                                              const AnchorTerm* right, const double* x) {
+  NormalMatrix::SparseColumns columns;
+  const auto append = [&](const AnchorTerm& term, Eigen::Index first_column) {
+    for (std::size_t k = 0; k < term.blend.count; ++k) {
+      const Eigen::Matrix<double, 2, 5> derivative = derivativeOf(objective, term, k, x);
+      for (int q = 0; q < objective.unknowns; ++q) {
+        Eigen::Vector4d value = Eigen::Vector4d::Zero();
+        value.segment<2>(first_column) = derivative.col(q);
+        columns.rows.push_back(term.blend.nodes[k] * static_cast<std::size_t>(objective.unknowns) +
+                               static_cast<std::size_t>(q));
+        columns.values.push_back(value);
+      }
+    }
+  };
+  append(left, 0);
+  if (right != nullptr) append(*right, 2);
+  return columns;
+}
+
+std::string plural(std::size_t count, const std::string& one, const std::string& many) {
+  return std::to_string(count) + " " + (count == 1 ? one : many);
+}
+
+}  // namespace
+
+class MeshSolver::Impl {
+ public:
+  Impl(std::shared_ptr<const Mesh> mesh, SolverBackend backend) : mesh_(std::move(mesh)), backend_(backend) {}
+
+  [[nodiscard]] const Mesh& mesh() const { return *mesh_; }
+  Result<Solution> solve(const AnchorList& anchors, const SolverSettings& settings, const Solution* warm_start,
+                         const IterationCallback& on_iteration);
+  [[nodiscard]] std::vector<double> projectionSigma(const std::vector<Vector2d>& points) const;
+
+ private:
+  Result<Solution> solveMesh(const AnchorList& anchors, const SolverSettings& settings, const Similarity2& global_fit,
+                             const Solution* warm_start, const IterationCallback& on_iteration);
+  [[nodiscard]] MinimiserReport minimiseFrom(Eigen::VectorXd& x, const MinimiserOptions& options,
+                                             const IterationCallback& on_iteration);
+  void store(const Eigen::VectorXd& x, Solution& solution) const;
+  void diagnoseAnchors(const AnchorList& anchors, Solution& solution);
+  [[nodiscard]] AnchorTerm predictionAt(const Vector2d& in_blueprint, const Vector2d& in_slam) const;
+  [[nodiscard]] bool isActive(const Vector2d& in_blueprint) const;
+  void addComponentWarning(Solution& solution) const;
+
+  std::shared_ptr<const Mesh> mesh_;
+  SolverBackend backend_;
+  std::vector<NodeIndex> node_order_;
+  NormalMatrix normal_;
+
+  // Of the last mesh solve, for projectionSigma().
+  Objective objective_;
+  Similarity2 global_fit_;
+  std::vector<std::uint32_t> active_number_;
+  Eigen::VectorXd x_;
+  double variance_factor_ = kNaN;
+};
+
+Result<Solution> MeshSolver::Impl::solve(const AnchorList& anchors, const SolverSettings& settings,
+                                         const Solution* warm_start, const IterationCallback& on_iteration) {
+  variance_factor_ = kNaN;
+  if (Result<void> checked = checkAnchors(anchors, {}); !checked) return failAs(checked);
+  const Result<Similarity2> global_fit = fitGlobally(anchors, settings.scale);
+  if (!global_fit) return failAs(global_fit);
+  const int places = distinctPlaces(anchors);
+  if (places >= 3) return solveMesh(anchors, settings, *global_fit, warm_start, on_iteration);
+
+  Solution solution = rigidSolution(*mesh_, *global_fit);
+  solution.settings = withAutomaticWeights(settings, *mesh_, global_fit->scale);
+  solution.converged = true;
+  for (const Anchor& anchor : anchors) {
+    AnchorFit fit;
+    fit.id = anchor.id;
+    fit.used = anchor.enabled;
+    fit.predicted = *global_fit * anchor.in_blueprint;
+    fit.residual_m = (fit.predicted - anchor.in_slam).norm();
+    fit.leave_one_out_m = anchor.enabled ? kNaN : fit.residual_m;
+    solution.anchors.push_back(fit);
+    solution.anchors_used += anchor.enabled ? 1 : 0;
+  }
+  solution.warnings.push_back(
+      places == 1
+          ? "One place is anchored: only the translation is known; add an anchor far away from it."
+          : "Two places are anchored: only rotation and translation are known; a third anchor lets the mesh bend.");
+  return solution;
+}
+
+MinimiserReport MeshSolver::Impl::minimiseFrom(Eigen::VectorXd& x, const MinimiserOptions& options,
+                                               const IterationCallback& on_iteration) {
+  return backend_ == SolverBackend::kCeres ? minimiseWithCeres(objective_, x, options, on_iteration)
+                                           : minimise(objective_, x, normal_, options, on_iteration);
+}
+
+Result<Solution> MeshSolver::Impl::solveMesh(const AnchorList& anchors, const SolverSettings& settings,
+                                             const Similarity2& global_fit, const Solution* warm_start,
+                                             const IterationCallback& on_iteration) {
+  Stopwatch stopwatch;
+  Solution solution = rigidSolution(*mesh_, global_fit);
+  solution.settings = withAutomaticWeights(settings, *mesh_, global_fit.scale);
+  global_fit_ = global_fit;
+  objective_ = buildObjective(*mesh_, anchors, solution.settings, global_fit);
+  active_number_ = activeNumbers(objective_, mesh_->nodeCount());
+  if (node_order_.empty()) node_order_ = fillReducingOrder(*mesh_);
+  if (!normal_.analyse(objective_, node_order_)) {
+    return fail(ErrorCode::kInternal,
+                "the mesh of " + std::to_string(mesh_->nodeCount()) +
+                    " nodes is too large for the memory of this computer; choose a larger cell size");
+  }
+  solution.seconds.ordering = stopwatch.lap();
+
+  MinimiserOptions options;
+  options.max_iterations = settings.max_iterations;
+  options.gradient_tolerance = settings.gradient_tolerance;
+  const Eigen::VectorXd at_fit = startingPoint(objective_, *mesh_, global_fit, nullptr);
+  Eigen::VectorXd gradient(at_fit.size());
+  solution.initial_cost = gradientAt(objective_, at_fit.data(), gradient.data());
+  // Where the similarity is perfect there is no gradient to compare with: then any rounding-sized one is converged.
+  const double smallest_scale = 1e-6 * settings.anchor_information;
+  options.gradient_at_start = std::max(smallest_scale, gradient.lpNorm<Eigen::Infinity>());
+
+  x_ = startingPoint(objective_, *mesh_, global_fit, warm_start);
+  const MinimiserReport report = minimiseFrom(x_, options, on_iteration);
+  if (report.cancelled) return fail(ErrorCode::kCancelled, "the optimisation was cancelled");
+  if (!report.finite || !x_.allFinite()) {
+    return fail(ErrorCode::kNotConverged,
+                "the optimisation found no finite minimum; check the anchors and the weights");
+  }
+  solution.cost = report.cost;
+  solution.iterations = report.iterations;
+  solution.relative_gradient = report.relative_gradient;
+  solution.converged = report.converged || report.relative_gradient <= 1e-8;
+  if (!solution.converged) {
+    solution.warnings.push_back("The optimisation stopped after " + std::to_string(report.iterations) +
+                                " iterations before it had converged.");
+  }
+  store(x_, solution);
+  solution.seconds.optimisation = stopwatch.lap();
+
+  // Leave-one-out and sigma want the factor at the minimum itself.
+  if (!normal_.factorise(objective_, x_.data(), 0.0)) {
+    return fail(ErrorCode::kNotConverged, "the anchors do not determine the mesh; add anchors or enable some");
+  }
+  diagnoseAnchors(anchors, solution);
+  addComponentWarning(solution);
+  solution.seconds.diagnosis = stopwatch.lap();
+  return solution;
+}
+
+void MeshSolver::Impl::store(const Eigen::VectorXd& x, Solution& solution) const {
+  for (std::size_t k = 0; k < objective_.nodeCount(); ++k) {
+    const double* unknowns = x.data() + k * static_cast<std::size_t>(objective_.unknowns);
+    const NodeIndex node = objective_.active_nodes[k];
+    solution.node_slam[node] = {{unknowns[0], unknowns[1]}, wrapAngle(unknowns[2])};
+    if (objective_.unknowns == kStretchUnknowns) solution.node_stretch[node] = {unknowns[3], unknowns[4]};
+  }
+}
+
+bool MeshSolver::Impl::isActive(const Vector2d& in_blueprint) const {
+  const NodeBlend blend = smoothBlend(*mesh_, in_blueprint);
+  for (std::size_t k = 0; k < blend.count; ++k) {
+    if (active_number_[blend.nodes[k]] == kInactive) return false;
+  }
+  return true;
+}
+
+/// What the projector will say at a place: always with its smooth weights, whatever ties the anchors of the model.
+AnchorTerm MeshSolver::Impl::predictionAt(const Vector2d& in_blueprint, const Vector2d& in_slam) const {
+  AnchorTerm term = makeAnchorTerm(*mesh_, smoothBlend(*mesh_, in_blueprint), in_blueprint, in_slam, global_fit_.scale);
+  for (std::size_t k = 0; k < term.blend.count; ++k) term.blend.nodes[k] = active_number_[term.blend.nodes[k]];
+  return term;
+}
+
+/// Residuals, and leave-one-out residuals from the one factorisation: without anchor c the minimum moves by
+/// (J^T W J)^-1 J_c^T w (I - w G_cc)^-1 e_c with G = J (J^T W J)^-1 J^T, to first order (DESIGN.md section 3).
+void MeshSolver::Impl::diagnoseAnchors(const AnchorList& anchors, Solution& solution) {
+  double whitened = 0.0;
+  std::size_t term = 0;
+  for (const Anchor& anchor : anchors) {
+    AnchorFit fit;
+    fit.id = anchor.id;
+    fit.used = anchor.enabled;
+    if (!anchor.enabled && !isActive(anchor.in_blueprint)) {
+      fit.predicted = global_fit_ * anchor.in_blueprint;
+      fit.residual_m = fit.leave_one_out_m = (fit.predicted - anchor.in_slam).norm();
+      solution.anchors.push_back(fit);
+      continue;
+    }
+    const AnchorTerm prediction = predictionAt(anchor.in_blueprint, anchor.in_slam);
+    const Vector2d residual = residualOf(objective_, prediction, x_.data());
+    fit.predicted = anchor.in_slam + residual;
+    fit.residual_m = fit.leave_one_out_m = residual.norm();
+    if (anchor.enabled) {
+      const AnchorTerm& used = objective_.anchors[term++];
+      const Vector2d used_residual = residualOf(objective_, used, x_.data());
+      fit.loss_weight = lossWeight(used_residual.squaredNorm(), objective_.loss_width_m);
+      const double weight = objective_.anchor_information * fit.loss_weight;
+      const Eigen::Matrix4d gram = normal_.inverseForm(derivativeColumns(objective_, used, &prediction, x_.data()));
+      const Matrix2d remaining = Matrix2d::Identity() - weight * gram.topLeftCorner<2, 2>();
+      const Vector2d pushed = remaining.inverse() * used_residual;
+      const Vector2d without = residual + gram.bottomLeftCorner<2, 2>() * (weight * pushed);
+      if (without.allFinite()) fit.leave_one_out_m = without.norm();
+      if (pushed.allFinite()) whitened += weight * pushed.dot(remaining * pushed);
+      ++solution.anchors_used;
+    }
+    solution.anchors.push_back(fit);
+  }
+  variance_factor_ = whitened / (2.0 * static_cast<double>(std::max<std::size_t>(1, solution.anchors_used)));
+}
+
+void MeshSolver::Impl::addComponentWarning(Solution& solution) const {
+  std::vector<bool> held(mesh_->componentCount(), false);
+  for (const NodeIndex node : objective_.active_nodes) held[mesh_->components()[node]] = true;
+  std::size_t free_components = 0;
+  for (const bool is_held : held) free_components += is_held ? 0 : 1;
+  if (free_components == 0) return;
+  const std::size_t free_nodes = mesh_->nodeCount() - objective_.nodeCount();
+  solution.warnings.push_back(plural(free_components, "part", "parts") + " of the free space (" +
+                              plural(free_nodes, "node", "nodes") +
+                              ") not connected to any anchor and only follow the global fit.");
+}
+
+std::vector<double> MeshSolver::Impl::projectionSigma(const std::vector<Vector2d>& points) const {
+  std::vector<double> sigmas(points.size(), kNaN);
+  if (!std::isfinite(variance_factor_)) return sigmas;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (!points[i].allFinite() || !isActive(points[i])) continue;
+    const AnchorTerm term = predictionAt(points[i], Vector2d::Zero());
+    const Eigen::Matrix4d gram = normal_.inverseForm(derivativeColumns(objective_, term, nullptr, x_.data()));
+    sigmas[i] = std::sqrt(0.5 * variance_factor_ * gram.topLeftCorner<2, 2>().trace());
+  }
+  return sigmas;
+}
+
+MeshSolver::MeshSolver(std::shared_ptr<const Mesh> mesh, SolverBackend backend)
+    : impl_(std::make_unique<Impl>(std::move(mesh), backend)) {}
+MeshSolver::~MeshSolver() = default;
+MeshSolver::MeshSolver(MeshSolver&&) noexcept = default;
+MeshSolver& MeshSolver::operator=(MeshSolver&&) noexcept = default;
+
+const Mesh& MeshSolver::mesh() const {
+  return impl_->mesh();
+}
+Result<Solution> MeshSolver::solve(const AnchorList& anchors, const SolverSettings& settings,
+                                   const Solution* warm_start, const IterationCallback& on_iteration) {
+  return impl_->solve(anchors, settings, warm_start, on_iteration);
+}
+std::vector<double> MeshSolver::projectionSigma(const std::vector<Eigen::Vector2d>& points_in_blueprint) const {
+  return impl_->projectionSigma(points_in_blueprint);
+}
+
+}  // namespace cad2slam

@@ -1,0 +1,362 @@
+// SPDX-FileCopyrightText: 2026 The CAD2SLAM authors
+// SPDX-License-Identifier: Apache-2.0
+#include "cad2slam/solver/normal_matrix.h"
+
+#include <cholmod.h>
+
+#include <algorithm>
+#include <numeric>
+#include <utility>
+
+namespace cad2slam {
+namespace {
+
+using Vector5d = Eigen::Matrix<double, 5, 1>;
+using Matrix5d = Eigen::Matrix<double, 5, 5>;
+using Matrix25d = Eigen::Matrix<double, 2, 5>;
+
+using Rows4 = Eigen::Matrix<double, Eigen::Dynamic, 4, Eigen::RowMajor>;
+
+/// cholmod_common with our settings; no printing, no abort.
+class Session {
+ public:
+  Session() {
+    cholmod_start(&common_);
+    common_.print = 0;
+    common_.error_handler = nullptr;
+    common_.supernodal = CHOLMOD_SUPERNODAL;
+    common_.nmethods = 1;
+    common_.method[0].ordering = CHOLMOD_GIVEN;
+    common_.postorder = 1;
+    common_.final_ll = 1;
+  }
+  ~Session() { cholmod_finish(&common_); }
+  Session(const Session&) = delete;
+  Session& operator=(const Session&) = delete;
+  cholmod_common* get() { return &common_; }
+
+ private:
+  cholmod_common common_{};
+};
+
+/// Couplings between active nodes: for each node the larger nodes it shares a term with, sorted.
+using Couplings = std::vector<std::vector<std::uint32_t>>;
+
+Couplings couplingsOf(const Objective& objective) {
+  Couplings couplings(objective.nodeCount());
+  const auto couple = [&couplings](std::uint32_t a, std::uint32_t b) {
+    if (a != b) couplings[std::min(a, b)].push_back(std::max(a, b));
+  };
+  for (const EdgeTerm& edge : objective.edges) couple(edge.from, edge.to);
+  for (const AnchorTerm& anchor : objective.anchors) {
+    for (std::size_t i = 0; i < anchor.blend.count; ++i) {
+      for (std::size_t j = 0; j < i; ++j) couple(anchor.blend.nodes[i], anchor.blend.nodes[j]);
+    }
+  }
+  for (std::vector<std::uint32_t>& larger : couplings) {
+    std::sort(larger.begin(), larger.end());
+    larger.erase(std::unique(larger.begin(), larger.end()), larger.end());
+  }
+  return couplings;
+}
+
+}  // namespace
+
+std::vector<NodeIndex> fillReducingOrder(const Mesh& mesh) {
+  std::vector<NodeIndex> order(mesh.nodeCount());
+  std::iota(order.begin(), order.end(), 0U);
+  Session session;
+  cholmod_common* common = session.get();
+  const auto n = mesh.nodeCount();
+  cholmod_triplet* triplets = cholmod_allocate_triplet(n, n, mesh.edges().size() + n, -1, CHOLMOD_PATTERN, common);
+  if (triplets == nullptr) return order;
+  auto* rows = static_cast<int*>(triplets->i);
+  auto* columns = static_cast<int*>(triplets->j);
+  for (const MeshEdge& edge : mesh.edges()) {
+    rows[triplets->nnz] = static_cast<int>(std::max(edge.from, edge.to));
+    columns[triplets->nnz++] = static_cast<int>(std::min(edge.from, edge.to));
+  }
+  cholmod_sparse* graph = cholmod_triplet_to_sparse(triplets, triplets->nnz, common);
+  cholmod_free_triplet(&triplets, common);
+  if (graph == nullptr) return order;
+  std::vector<int> permutation(n);
+  if (cholmod_metis(graph, nullptr, 0, 1, permutation.data(), common) != 0) {
+    std::transform(permutation.begin(), permutation.end(), order.begin(),
+                   [](int node) { return static_cast<NodeIndex>(node); });
+  }
+  cholmod_free_sparse(&graph, common);
+  return order;
+}
+
+class NormalMatrix::Impl {
+ public:
+  ~Impl() { clear(); }
+  Impl() = default;
+  Impl(const Impl&) = delete;
+  Impl& operator=(const Impl&) = delete;
+
+  bool analyse(const Objective& objective, const std::vector<NodeIndex>& node_order);
+  bool factorise(const Objective& objective, const double* x, double damping);
+  bool solve(const Eigen::VectorXd& right, Eigen::VectorXd& solution);
+  [[nodiscard]] Eigen::Matrix4d inverseForm(const SparseColumns& columns) const;
+  [[nodiscard]] bool hasFactor(std::size_t size) const { return factorised_ && matrix_->nrow == size; }
+
+ private:
+  void clear();
+  void layOut(const Objective& objective);
+  template <int kUnknowns>
+  void assemble(const Objective& objective, const double* x);
+  template <int kUnknowns>
+  void addBlock(std::uint32_t row_node, std::uint32_t column_node, const Matrix5d& block);
+  [[nodiscard]] int supernodeOf(std::size_t column) const { return column_supernode_[column]; }
+
+  Session session_;
+  Couplings couplings_;
+  std::vector<NodeIndex> active_nodes_;
+  int unknowns_ = 0;
+  cholmod_sparse* matrix_ = nullptr;
+  cholmod_factor* factor_ = nullptr;
+  bool factorised_ = false;
+  std::vector<int> inverse_permutation_;
+  std::vector<int> column_supernode_;
+  mutable Rows4 path_rows_;
+  cholmod_dense* solution_ = nullptr;  // workspaces that cholmod_solve2 reuses
+  cholmod_dense* work_y_ = nullptr;
+  cholmod_dense* work_e_ = nullptr;
+};
+
+void NormalMatrix::Impl::clear() {
+  cholmod_common* common = session_.get();
+  cholmod_free_sparse(&matrix_, common);
+  cholmod_free_factor(&factor_, common);
+  cholmod_free_dense(&solution_, common);
+  cholmod_free_dense(&work_y_, common);
+  cholmod_free_dense(&work_e_, common);
+  factorised_ = false;
+}
+
+/// Lower triangle, scalar columns: of node j first its own block from the diagonal down, then its larger neighbours.
+void NormalMatrix::Impl::layOut(const Objective& objective) {
+  const auto b = static_cast<std::size_t>(unknowns_);
+  const std::size_t n = objective.size();
+  std::size_t entries = 0;
+  for (const auto& larger : couplings_) entries += b * (b + 1) / 2 + b * b * larger.size();
+  matrix_ = cholmod_allocate_sparse(n, n, entries, 1, 1, -1, CHOLMOD_REAL, session_.get());
+  if (matrix_ == nullptr) return;
+  auto* starts = static_cast<int*>(matrix_->p);
+  auto* rows = static_cast<int*>(matrix_->i);
+  int at = 0;
+  for (std::size_t node = 0; node < couplings_.size(); ++node) {
+    for (std::size_t q = 0; q < b; ++q) {
+      starts[node * b + q] = at;
+      for (std::size_t p = q; p < b; ++p) rows[at++] = static_cast<int>(node * b + p);
+      for (const std::uint32_t larger : couplings_[node]) {
+        for (std::size_t p = 0; p < b; ++p) rows[at++] = static_cast<int>(larger * b + p);
+      }
+    }
+  }
+  starts[n] = at;
+}
+
+bool NormalMatrix::Impl::analyse(const Objective& objective, const std::vector<NodeIndex>& node_order) {
+  Couplings couplings = couplingsOf(objective);
+  if (factor_ != nullptr && unknowns_ == objective.unknowns && active_nodes_ == objective.active_nodes &&
+      couplings == couplings_) {
+    return true;
+  }
+  clear();
+  couplings_ = std::move(couplings);
+  active_nodes_ = objective.active_nodes;
+  unknowns_ = objective.unknowns;
+  layOut(objective);
+  if (matrix_ == nullptr) return false;
+
+  std::vector<int> active_number(node_order.size(), -1);
+  for (std::size_t k = 0; k < active_nodes_.size(); ++k) active_number[active_nodes_[k]] = static_cast<int>(k);
+  std::vector<int> permutation;
+  permutation.reserve(objective.size());
+  for (const NodeIndex node : node_order) {
+    if (active_number[node] < 0) continue;
+    for (int q = 0; q < unknowns_; ++q) permutation.push_back(active_number[node] * unknowns_ + q);
+  }
+  factor_ = cholmod_analyze_p(matrix_, permutation.data(), nullptr, 0, session_.get());
+  if (factor_ == nullptr || factor_->is_super == 0) return false;
+
+  inverse_permutation_.resize(factor_->n);
+  const auto* order = static_cast<const int*>(factor_->Perm);
+  for (std::size_t k = 0; k < factor_->n; ++k)
+    inverse_permutation_[static_cast<std::size_t>(order[k])] = static_cast<int>(k);
+  column_supernode_.resize(factor_->n);
+  const auto* first_columns = static_cast<const int*>(factor_->super);
+  for (std::size_t s = 0; s < factor_->nsuper; ++s) {
+    std::fill(column_supernode_.begin() + first_columns[s], column_supernode_.begin() + first_columns[s + 1],
+              static_cast<int>(s));
+  }
+  return true;
+}
+
+/// Adds to the block of (row_node, column_node), row_node >= column_node; of a diagonal block only the lower triangle.
+template <int kUnknowns>
+void NormalMatrix::Impl::addBlock(std::uint32_t row_node, std::uint32_t column_node, const Matrix5d& block) {
+  auto* values = static_cast<double*>(matrix_->x);
+  const auto* starts = static_cast<const int*>(matrix_->p);
+  if (row_node == column_node) {
+    for (int q = 0; q < kUnknowns; ++q) {
+      double* column = values + starts[column_node * kUnknowns + static_cast<std::uint32_t>(q)];
+      for (int p = q; p < kUnknowns; ++p) column[p - q] += block(p, q);
+    }
+    return;
+  }
+  const std::vector<std::uint32_t>& larger = couplings_[column_node];
+  const auto place = std::lower_bound(larger.begin(), larger.end(), row_node) - larger.begin();
+  for (int q = 0; q < kUnknowns; ++q) {
+    double* column =
+        values + starts[column_node * kUnknowns + static_cast<std::uint32_t>(q)] + (kUnknowns - q) + place * kUnknowns;
+    for (int p = 0; p < kUnknowns; ++p) column[p] += block(p, q);
+  }
+}
+
+template <int kUnknowns>
+void NormalMatrix::Impl::assemble(const Objective& objective, const double* x) {
+  auto* values = static_cast<double*>(matrix_->x);
+  std::fill(values, values + static_cast<const int*>(matrix_->p)[matrix_->ncol], 0.0);
+  const Vector5d smoothness =
+      Vector5d(0.0, 0.0, objective.sqrt_lambda_theta, objective.sqrt_lambda_stretch, objective.sqrt_lambda_stretch)
+          .array()
+          .square();
+  for (const EdgeTerm& edge : objective.edges) {
+    const EdgeLinearisation at = linearise(objective, edge, x + edge.from * kUnknowns, x + edge.to * kUnknowns);
+    Matrix5d own_from = at.from.transpose() * at.from;
+    Matrix5d own_to = at.to.transpose() * at.to;
+    own_from.diagonal() += smoothness;
+    own_to.diagonal() += smoothness;
+    addBlock<kUnknowns>(edge.from, edge.from, own_from);
+    addBlock<kUnknowns>(edge.to, edge.to, own_to);
+    const bool from_is_larger = edge.from > edge.to;
+    Matrix5d across = from_is_larger ? Matrix5d(at.from.transpose() * at.to) : Matrix5d(at.to.transpose() * at.from);
+    across.diagonal() -= smoothness;
+    addBlock<kUnknowns>(std::max(edge.from, edge.to), std::min(edge.from, edge.to), across);
+  }
+  Matrix5d prior = Matrix5d::Zero();
+  prior(3, 3) = prior(4, 4) = 2.0 * objective.sqrt_prior * objective.sqrt_prior;  // of (a_x - a_y)^2 + (a_x + a_y)^2
+  for (std::uint32_t node = 0; node < objective.nodeCount(); ++node) {
+    prior(2, 2) = objective.heading_prior.empty() ? 0.0 : objective.heading_prior[node] * objective.heading_prior[node];
+    addBlock<kUnknowns>(node, node, prior);
+  }
+  for (const AnchorTerm& anchor : objective.anchors) {
+    const double weight = objective.anchor_information *
+                          lossWeight(residualOf(objective, anchor, x).squaredNorm(), objective.loss_width_m);
+    std::array<Matrix25d, NodeBlend::kCapacity> derivatives;
+    for (std::size_t k = 0; k < anchor.blend.count; ++k) derivatives[k] = derivativeOf(objective, anchor, k, x);
+    for (std::size_t i = 0; i < anchor.blend.count; ++i) {
+      for (std::size_t j = 0; j < anchor.blend.count; ++j) {
+        if (anchor.blend.nodes[i] < anchor.blend.nodes[j]) continue;
+        addBlock<kUnknowns>(anchor.blend.nodes[i], anchor.blend.nodes[j],
+                            weight * derivatives[i].transpose() * derivatives[j]);
+      }
+    }
+  }
+}
+
+bool NormalMatrix::Impl::factorise(const Objective& objective, const double* x, double damping) {
+  factorised_ = false;
+  if (unknowns_ == kRigidUnknowns) {
+    assemble<kRigidUnknowns>(objective, x);
+  } else {
+    assemble<kStretchUnknowns>(objective, x);
+  }
+  if (damping > 0.0) {
+    auto* values = static_cast<double*>(matrix_->x);
+    const auto* starts = static_cast<const int*>(matrix_->p);
+    for (std::size_t column = 0; column < matrix_->ncol; ++column) values[starts[column]] *= 1.0 + damping;
+  }
+  cholmod_common* common = session_.get();
+  if (cholmod_factorize(matrix_, factor_, common) == 0 || common->status != CHOLMOD_OK) return false;
+  factorised_ = factor_->minor == factor_->n;
+  return factorised_;
+}
+
+bool NormalMatrix::Impl::solve(const Eigen::VectorXd& right, Eigen::VectorXd& solution) {
+  cholmod_dense view{};
+  view.nrow = static_cast<std::size_t>(right.size());
+  view.ncol = 1;
+  view.nzmax = view.nrow;
+  view.d = view.nrow;
+  view.x = const_cast<double*>(right.data());  // CHOLMOD reads it only
+  view.xtype = CHOLMOD_REAL;
+  view.dtype = CHOLMOD_DOUBLE;
+  if (cholmod_solve2(CHOLMOD_A, factor_, &view, nullptr, &solution_, nullptr, &work_y_, &work_e_, session_.get()) ==
+      0) {
+    return false;
+  }
+  solution = Eigen::Map<const Eigen::VectorXd>(static_cast<const double*>(solution_->x), right.size());
+  return solution.allFinite();
+}
+
+Eigen::Matrix4d NormalMatrix::Impl::inverseForm(const SparseColumns& columns) const {
+  const auto* first_columns = static_cast<const int*>(factor_->super);
+  const auto* row_starts = static_cast<const int*>(factor_->pi);
+  const auto* value_starts = static_cast<const int*>(factor_->px);
+  const auto* row_numbers = static_cast<const int*>(factor_->s);
+  const auto* values = static_cast<const double*>(factor_->x);
+
+  // The supernodes on the paths from the non-zeros to the root, in elimination order.
+  std::vector<int> path;
+  for (const std::size_t row : columns.rows) {
+    int supernode = supernodeOf(static_cast<std::size_t>(inverse_permutation_[row]));
+    while (supernode >= 0 && std::find(path.begin(), path.end(), supernode) == path.end()) {
+      path.push_back(supernode);
+      const int own = first_columns[supernode + 1] - first_columns[supernode];
+      const int all = row_starts[supernode + 1] - row_starts[supernode];
+      supernode = all > own ? supernodeOf(static_cast<std::size_t>(row_numbers[row_starts[supernode] + own])) : -1;
+    }
+  }
+  std::sort(path.begin(), path.end());
+
+  // All zero between calls: only rows of the path are ever written, and they are cleared again below.
+  Rows4& work = path_rows_;
+  if (work.rows() != static_cast<Eigen::Index>(factor_->n))
+    work = Rows4::Zero(static_cast<Eigen::Index>(factor_->n), 4);
+  for (std::size_t k = 0; k < columns.rows.size(); ++k) {
+    work.row(inverse_permutation_[columns.rows[k]]) += columns.values[k].transpose();
+  }
+  Eigen::Matrix4d gram = Eigen::Matrix4d::Zero();
+  Rows4 below;
+  for (const int supernode : path) {
+    const int first = first_columns[supernode];
+    const int own = first_columns[supernode + 1] - first;
+    const int all = row_starts[supernode + 1] - row_starts[supernode];
+    const Eigen::Map<const Eigen::MatrixXd> block(values + value_starts[supernode], all, own);
+    auto mine = work.middleRows(first, own);
+    block.topRows(own).triangularView<Eigen::Lower>().solveInPlace(mine);
+    gram.noalias() += mine.transpose() * mine;
+    below.noalias() = block.bottomRows(all - own) * mine;
+    mine.setZero();
+    const int* rows = row_numbers + row_starts[supernode] + own;
+    for (int k = 0; k < all - own; ++k) work.row(rows[k]) -= below.row(k);
+  }
+  return gram;
+}
+
+NormalMatrix::NormalMatrix() : impl_(std::make_unique<Impl>()) {}
+NormalMatrix::~NormalMatrix() = default;
+NormalMatrix::NormalMatrix(NormalMatrix&&) noexcept = default;
+NormalMatrix& NormalMatrix::operator=(NormalMatrix&&) noexcept = default;
+
+bool NormalMatrix::analyse(const Objective& objective, const std::vector<NodeIndex>& node_order) {
+  return impl_->analyse(objective, node_order);
+}
+bool NormalMatrix::factorise(const Objective& objective, const double* x, double damping) {
+  return impl_->factorise(objective, x, damping);
+}
+bool NormalMatrix::hasFactorFor(const Objective& objective) const {
+  return impl_->hasFactor(objective.size());
+}
+bool NormalMatrix::solve(const Eigen::VectorXd& right, Eigen::VectorXd& solution) {
+  return impl_->solve(right, solution);
+}
+Eigen::Matrix4d NormalMatrix::inverseForm(const SparseColumns& columns) const {
+  return impl_->inverseForm(columns);
+}
+
+}  // namespace cad2slam

@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: 2026 The CAD2SLAM authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <Eigen/Core>
+
+#include <memory>
+#include <vector>
+
+#include "cad2slam/mesh/mesh.h"
+#include "cad2slam/solver/objective.h"
+
+namespace cad2slam {
+
+/// A fill-reducing order of the nodes of a mesh: nested dissection of its graph. Depends on the mesh only.
+[[nodiscard]] std::vector<NodeIndex> fillReducingOrder(const Mesh& mesh);
+
+/// The Gauss-Newton matrix J^T W J of an objective and its sparse Cholesky factor L (CHOLMOD, supernodal).
+/// The sparsity pattern and its analysis are kept as long as the couplings between nodes stay the same.
+class NormalMatrix {
+ public:
+  NormalMatrix();
+  ~NormalMatrix();
+  NormalMatrix(NormalMatrix&&) noexcept;
+  NormalMatrix& operator=(NormalMatrix&&) noexcept;
+
+  /// Prepares for the couplings of `objective`; `node_order` lists mesh nodes, active or not. False: out of memory.
+  [[nodiscard]] bool analyse(const Objective& objective, const std::vector<NodeIndex>& node_order);
+
+  /// Evaluates at `x` and factorises J^T W J + damping * diag(J^T W J). False where that is not positive definite.
+  [[nodiscard]] bool factorise(const Objective& objective, const double* x, double damping);
+
+  /// A factor is there and fits the size of `objective`.
+  [[nodiscard]] bool hasFactorFor(const Objective& objective) const;
+
+  /// Solves with the last factor.
+  [[nodiscard]] bool solve(const Eigen::VectorXd& right, Eigen::VectorXd& solution);
+
+  /// Rows of a thin matrix J_p with few non-zeros: (row, value) of each column.
+  struct SparseColumns {
+    std::vector<std::size_t> rows;
+    std::vector<Eigen::Vector4d> values;  ///< up to four right-hand sides at once; unused ones are zero
+  };
+  /// Gram matrix of L^-1 P b over the four columns of b, which is b^T (J^T W J)^-1 b. Touches only the path of the
+  /// elimination tree above the non-zeros, so it costs far less than a solve.
+  [[nodiscard]] Eigen::Matrix4d inverseForm(const SparseColumns& columns) const;
+
+ private:
+  class Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace cad2slam

@@ -1,0 +1,60 @@
+# SPDX-FileCopyrightText: 2026 The CAD2SLAM authors
+# SPDX-License-Identifier: Apache-2.0
+
+# `cpack` in the build folder makes one Debian package for each component of Install.cmake.
+set(CPACK_GENERATOR DEB)
+set(CPACK_PACKAGE_NAME cad2slam)
+set(CPACK_PACKAGE_CONTACT "The CAD2SLAM authors <maintainers@cad2slam.org>")
+set(CPACK_PACKAGE_VENDOR "The CAD2SLAM authors")
+set(CPACK_PACKAGE_DIRECTORY ${CMAKE_BINARY_DIR}/packages)
+set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
+set(CPACK_SET_DESTDIR OFF)
+set(CPACK_STRIP_FILES ON)
+set(CPACK_VERBATIM_VARIABLES ON)
+set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS
+    OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE WORLD_READ WORLD_EXECUTE)
+# Runs when cpack runs: SOURCE_DATE_EPOCH from the commit that is packaged.
+set(CPACK_PROJECT_CONFIG_FILE ${CMAKE_CURRENT_LIST_DIR}/reproducible.cmake)
+set(CPACK_CAD2SLAM_SOURCE_DIR ${CMAKE_SOURCE_DIR})
+
+set(CPACK_DEB_COMPONENT_INSTALL ON)
+set(CPACK_COMPONENTS_GROUPING ONE_PER_GROUP)
+set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
+set(CPACK_DEBIAN_PACKAGE_PRIORITY optional)
+set(CPACK_DEBIAN_PACKAGE_CONTROL_STRICT_PERMISSION ON)
+set(CPACK_COMPONENTS_ALL dev)
+
+# One package: its component, Debian name, section, one-line summary and description, which CPack wants unwrapped.
+macro(cad2slam_package component name section summary description)
+  string(TOUPPER ${component} upper)
+  set(CPACK_COMPONENT_${upper}_DESCRIPTION "${summary}\n${description}")
+  set(CPACK_DEBIAN_${upper}_PACKAGE_NAME ${name})
+  set(CPACK_DEBIAN_${upper}_PACKAGE_SECTION ${section})
+  # Debian's changelog and copyright of the package, and the licences of libraries that are compiled in.
+  install(CODE "set(package ${name})\nset(version ${PROJECT_VERSION})\nset(source_dir [[${CMAKE_SOURCE_DIR}]])"
+          COMPONENT ${component})
+  install(SCRIPT ${CMAKE_CURRENT_LIST_DIR}/debian/install_documents.cmake COMPONENT ${component})
+endmacro()
+
+cad2slam_package(dev libcad2slam-dev libdevel
+  "projects poses between building blueprints and SLAM maps: library for robots"
+  "Reads a projector file made by CAD2SLAM and projects poses from the blueprint of a building into the SLAM map of a robot and back. C++17 and later, static, thread-safe; needs neither Ceres nor OpenCV nor Qt.")
+set(CPACK_DEBIAN_DEV_PACKAGE_DEPENDS "libeigen3-dev, libexpected-dev, libssl-dev")
+
+if(TARGET cad2slam-cli)
+  list(APPEND CPACK_COMPONENTS_ALL cli)
+  cad2slam_package(cli cad2slam-cli science
+    "joins building blueprints and robot SLAM maps: command line"
+    "Solves a deformable mesh that takes the blueprint of a building into the SLAM map of a robot from a list of anchors, writes it as a projector file, projects poses both ways and warps whole maps. For robots, servers and scripts; needs no display.")
+endif()
+
+if(TARGET cad2slam)
+  list(APPEND CPACK_COMPONENTS_ALL app)
+  cad2slam_package(app cad2slam science
+    "joins building blueprints and robot SLAM maps: desktop program"
+    "Shows the blueprint of a building beside the SLAM map of a robot. The installer clicks places that both show; a mesh is fitted to them at every edit, and the projector file at the end takes poses between both maps.")
+  set(CPACK_DEBIAN_APP_PACKAGE_RECOMMENDS "cad2slam-cli, qt6-qpa-plugins")
+endif()
+
+include(CPack)
