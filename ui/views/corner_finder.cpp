@@ -89,6 +89,9 @@ std::optional<Corner> cornerAtLevel(RasterSource& raster, const QPointF& near_px
 
 std::optional<QPointF> findCorner(RasterSource& raster, const QPointF& near_px, double reach_px, int level) {
   if (raster.size().isEmpty() || !(reach_px > 0.0)) return std::nullopt;
+  const QRectF raster_px =
+      QRectF(QPointF(0, 0), QSizeF(raster.size())).adjusted(-reach_px, -reach_px, reach_px, reach_px);
+  if (!raster_px.contains(near_px)) return std::nullopt;  // NaN is nowhere
   std::optional<Corner> corner = cornerAtLevel(raster, near_px, reach_px, level);
   if (!corner) return std::nullopt;
   for (int finer = level - 1; finer >= 0; --finer) {
