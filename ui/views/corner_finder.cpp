@@ -35,13 +35,15 @@ std::optional<Corner> cornerAtLevel(RasterSource& raster, const QPointF& near_px
   QImage pixels = raster.pixels(level, window);
   if (pixels.isNull()) return std::nullopt;
   if (pixels.format() != QImage::Format_Grayscale8) pixels = pixels.convertToFormat(QImage::Format_Grayscale8);
-  const cv::Mat grey(pixels.height(), pixels.width(), CV_8UC1, pixels.bits(),
-                     static_cast<std::size_t>(pixels.bytesPerLine()));
+  const cv::Mat sharp(pixels.height(), pixels.width(), CV_8UC1, pixels.bits(),
+                      static_cast<std::size_t>(pixels.bytesPerLine()));
+  cv::Mat grey;  // the crossing of two lines of one pixel has four weak corners around it unless they are blurred
+  cv::GaussianBlur(sharp, grey, cv::Size(5, 5), 1.0);
 
   cv::Mat strength;
   cv::cornerMinEigenVal(grey, strength, kBlock, 3);
   cv::Mat highest;
-  cv::dilate(strength, highest, cv::Mat());
+  cv::dilate(strength, highest, cv::Mat::ones(5, 5, CV_8U));
 
   std::vector<Corner> found;
   float strongest = 0.0F;

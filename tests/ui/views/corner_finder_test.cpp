@@ -42,7 +42,8 @@ class CornerFinderTest : public QObject {
     const auto raster = TilePyramid::fromPixels(pixels);
     const auto found = findCorner(*raster, {203.0, 147.0}, 10.0, 0);
     QVERIFY(found.has_value());
-    QVERIFY(std::hypot(found->x() - 200.5, found->y() - 150.5) < 1.6);
+    QVERIFY2(std::hypot(found->x() - 200.5, found->y() - 150.5) < 1.6,
+             qPrintable(QStringLiteral("%1 %2").arg(found->x()).arg(found->y())));
   }
 
   void nothingOnStraightWallsAndFaintNoise() {
