@@ -45,7 +45,7 @@ std::map<AnchorId, AnchorJudgement> judgeAnchors(const AnchorList& anchors, cons
   for (const Anchor& anchor : anchors) {
     AnchorJudgement& judgement = judgements[anchor.id];
     judgement.is_check = !anchor.enabled;
-    judgement.judged = anchor.enabled ? MarkerClass::kPlain : MarkerClass::kDisabled;
+    judgement.judged = anchor.enabled ? AnchorClass::kPlain : AnchorClass::kDisabled;
     const auto found = fit_of.find(anchor.id);
     if (found == fit_of.end()) continue;
     const AnchorFit& fit = *found->second;
@@ -56,11 +56,11 @@ std::map<AnchorId, AnchorJudgement> judgeAnchors(const AnchorList& anchors, cons
     const double value = error(fit);
     const bool stands_out = used >= kSpreadFrom && value > mean + 2.0 * spread;
     if (value <= ok) {
-      judgement.judged = MarkerClass::kOk;
+      judgement.judged = AnchorClass::kOk;
     } else if (value > look || stands_out) {
-      judgement.judged = MarkerClass::kBad;
+      judgement.judged = AnchorClass::kBad;
     } else {
-      judgement.judged = MarkerClass::kLook;
+      judgement.judged = AnchorClass::kLook;
     }
   }
   return judgements;

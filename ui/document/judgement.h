@@ -4,7 +4,6 @@
 
 #include "cad2slam/solver/solution.h"
 #include "ui/document/document_state.h"
-#include "ui/views/marker.h"
 
 #include <map>
 #include <optional>
@@ -12,9 +11,17 @@
 
 namespace cad2slam {
 
+enum class AnchorClass {
+  kPlain,  ///< no number to judge by yet
+  kOk,
+  kLook,      ///< worth a look
+  kBad,       ///< most probably wrong
+  kDisabled,  ///< not used
+};
+
 /// What the table and the views say of one anchor.
 struct AnchorJudgement {
-  MarkerClass judged = MarkerClass::kPlain;
+  AnchorClass judged = AnchorClass::kPlain;
   std::optional<double> residual_m;
   std::optional<double> leave_one_out_m;
   bool is_check = false;  ///< disabled: its numbers tell how well the others predict it

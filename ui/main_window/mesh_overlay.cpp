@@ -4,6 +4,8 @@
 
 #include "ui/convert.h"
 
+#include <Eigen/LU>
+
 #include <utility>
 
 namespace cad2slam {

@@ -17,6 +17,22 @@ namespace {
 
 constexpr double kRingSigmas = 2.0;  // a ring that the true place rarely leaves
 
+MarkerClass markerClass(AnchorClass judged) {
+  switch (judged) {
+    case AnchorClass::kPlain:
+      return MarkerClass::kPlain;
+    case AnchorClass::kOk:
+      return MarkerClass::kOk;
+    case AnchorClass::kLook:
+      return MarkerClass::kLook;
+    case AnchorClass::kBad:
+      return MarkerClass::kBad;
+    case AnchorClass::kDisabled:
+      return MarkerClass::kDisabled;
+  }
+  return MarkerClass::kPlain;
+}
+
 }  // namespace
 
 ViewPair::ViewPair(Session& session, MapView& blueprint, MapView& slam, QObject* parent)
@@ -181,7 +197,7 @@ std::vector<Marker> ViewPair::markersOf(Side side) const {
     if (!anchor.name.empty()) marker.text += QLatin1Char(' ') + toQString(anchor.name);
     marker.point_m = toQPointF(half(anchor, side));
     const auto judgement = session_.judgements().find(anchor.id);
-    if (judgement != session_.judgements().end()) marker.judged = judgement->second.judged;
+    if (judgement != session_.judgements().end()) marker.judged = markerClass(judgement->second.judged);
     if (!anchor.enabled) marker.judged = MarkerClass::kDisabled;
     marker.selected = session_.selection().contains(anchor.id);
     marker.snapped = document.isSnapped(anchor.id);
@@ -234,8 +250,9 @@ void ViewPair::refreshResiduals() {
       const Anchor* anchor = session_.document().anchor(fit.id);
       if (!anchor || !fit.predicted.allFinite()) continue;
       const auto judgement = session_.judgements().find(fit.id);
-      in_slam.push_back({toQPointF(fit.predicted), toQPointF(anchor->in_slam),
-                         judgement == session_.judgements().end() ? MarkerClass::kPlain : judgement->second.judged});
+      in_slam.push_back(
+          {toQPointF(fit.predicted), toQPointF(anchor->in_slam),
+           judgement == session_.judgements().end() ? MarkerClass::kPlain : markerClass(judgement->second.judged)});
     }
   }
   slam_.setResiduals(std::move(in_slam), magnification_);

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "ui/services/session.h"
+#include "ui/main_window/session.h"
 #include "ui/views/map_view.h"
 
 #include <QObject>

@@ -38,14 +38,14 @@ double coordinate(const Anchor& anchor, int column) {
   }
 }
 
-QString shapeOf(MarkerClass judged) {  // the same shapes as in the views
+QString shapeOf(AnchorClass judged) {  // the same shapes as in the views
   switch (judged) {
-    case MarkerClass::kOk:
-    case MarkerClass::kPlain:
+    case AnchorClass::kOk:
+    case AnchorClass::kPlain:
       return QStringLiteral("●");
-    case MarkerClass::kLook:
+    case AnchorClass::kLook:
       return QStringLiteral("◆");
-    case MarkerClass::kBad:
+    case AnchorClass::kBad:
       return QStringLiteral("■");
     default:
       return QStringLiteral("○");
@@ -105,21 +105,21 @@ const AnchorJudgement* AnchorTableModel::judgementOf(AnchorId id) const {
 
 QString AnchorTableModel::flagText(const Anchor& anchor) const {
   const AnchorJudgement* judgement = judgementOf(anchor.id);
-  const MarkerClass judged = !anchor.enabled ? MarkerClass::kDisabled
+  const AnchorClass judged = !anchor.enabled ? AnchorClass::kDisabled
                              : judgement     ? judgement->judged
-                                             : MarkerClass::kPlain;
+                                             : AnchorClass::kPlain;
   QString word;
   switch (judged) {
-    case MarkerClass::kOk:
+    case AnchorClass::kOk:
       word = tr("OK");
       break;
-    case MarkerClass::kLook:
+    case AnchorClass::kLook:
       word = tr("look");
       break;
-    case MarkerClass::kBad:
+    case AnchorClass::kBad:
       word = tr("bad");
       break;
-    case MarkerClass::kDisabled:
+    case AnchorClass::kDisabled:
       word = tr("off");
       break;
     default:

@@ -1,8 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The CAD2SLAM authors
 // SPDX-License-Identifier: Apache-2.0
-#include "ui/services/session.h"
+#include "ui/main_window/session.h"
 
 #include "ui/convert.h"
+
+#include <Eigen/LU>
 
 #include <cmath>
 
