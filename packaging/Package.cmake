@@ -4,6 +4,7 @@
 # `cpack` in the build folder makes one Debian package for each component of Install.cmake.
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME cad2slam)
+set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "") # each package has its own
 set(CPACK_PACKAGE_CONTACT "The CAD2SLAM authors <maintainers@cad2slam.org>")
 set(CPACK_PACKAGE_VENDOR "The CAD2SLAM authors")
 set(CPACK_PACKAGE_DIRECTORY ${CMAKE_BINARY_DIR}/packages)
@@ -25,10 +26,10 @@ set(CPACK_DEBIAN_PACKAGE_PRIORITY optional)
 set(CPACK_DEBIAN_PACKAGE_CONTROL_STRICT_PERMISSION ON)
 set(CPACK_COMPONENTS_ALL dev)
 
-# One package: its component, Debian name, section, one-line summary and description, which CPack wants unwrapped.
-macro(cad2slam_package component name section summary description)
+# One package: its component, Debian name, section, and description (one line of summary, then wrapped text).
+macro(cad2slam_package component name section description)
   string(TOUPPER ${component} upper)
-  set(CPACK_COMPONENT_${upper}_DESCRIPTION "${summary}\n${description}")
+  set(CPACK_COMPONENT_${upper}_DESCRIPTION "${description}")
   set(CPACK_DEBIAN_${upper}_PACKAGE_NAME ${name})
   set(CPACK_DEBIAN_${upper}_PACKAGE_SECTION ${section})
   # Debian's changelog and copyright of the package, and the licences of libraries that are compiled in.
@@ -38,23 +39,32 @@ macro(cad2slam_package component name section summary description)
 endmacro()
 
 cad2slam_package(dev libcad2slam-dev libdevel
-  "projects poses between building blueprints and SLAM maps: library for robots"
-  "Reads a projector file made by CAD2SLAM and projects poses from the blueprint of a building into the SLAM map of a robot and back. C++17 and later, static, thread-safe; needs neither Ceres nor OpenCV nor Qt.")
+"projects poses between building blueprints and SLAM maps: library
+Reads a projector file made by CAD2SLAM and projects poses from the blueprint
+of a building into the SLAM map of a robot and back. C++17 and later, static,
+thread-safe; needs neither Ceres nor OpenCV nor Qt.")
 set(CPACK_DEBIAN_DEV_PACKAGE_DEPENDS "libeigen3-dev, libexpected-dev, libssl-dev")
 
 if(TARGET cad2slam-cli)
   list(APPEND CPACK_COMPONENTS_ALL cli)
   cad2slam_package(cli cad2slam-cli science
-    "joins building blueprints and robot SLAM maps: command line"
-    "Solves a deformable mesh that takes the blueprint of a building into the SLAM map of a robot from a list of anchors, writes it as a projector file, projects poses both ways and warps whole maps. For robots, servers and scripts; needs no display.")
+"joins building blueprints and robot SLAM maps: command line
+From a list of anchors, fits a deformable mesh that takes the blueprint of a
+building into the SLAM map of a robot, and writes it as a projector file.
+Projects poses both ways and warps whole maps. For robots, servers and
+scripts; needs no display.")
+  set(CPACK_DEBIAN_CLI_PACKAGE_RECOMMENDS "libopenblas0-pthread | libopenblas0")
 endif()
 
 if(TARGET cad2slam)
   list(APPEND CPACK_COMPONENTS_ALL app)
   cad2slam_package(app cad2slam science
-    "joins building blueprints and robot SLAM maps: desktop program"
-    "Shows the blueprint of a building beside the SLAM map of a robot. The installer clicks places that both show; a mesh is fitted to them at every edit, and the projector file at the end takes poses between both maps.")
-  set(CPACK_DEBIAN_APP_PACKAGE_RECOMMENDS "cad2slam-cli, qt6-qpa-plugins")
+"joins building blueprints and robot SLAM maps: desktop program
+Shows the blueprint of a building beside the SLAM map of a robot. The
+installer clicks places that both show; a mesh is fitted to them at every
+edit, and the projector file at the end takes poses between both maps.")
+  set(CPACK_DEBIAN_APP_PACKAGE_RECOMMENDS "libopenblas0-pthread | libopenblas0, qt6-qpa-plugins")
+  set(CPACK_DEBIAN_APP_PACKAGE_SUGGESTS cad2slam-cli)
 endif()
 
 include(CPack)

@@ -76,12 +76,13 @@ def findings(root: Path) -> list[str]:
         name = path.relative_to(root).as_posix()
         if name not in ("tests/lint/check_files.py", "tests/lint/check_files_test.py"):
             found += file_findings(name, path.read_text(encoding="utf-8", errors="replace"))
-    return found + untested(root)
+    return found
 
 
 def main() -> int:
-    found = findings(Path(sys.argv[1]) if len(sys.argv) > 1 else Path(__file__).resolve().parents[2])
-    print("\n".join(found) if found else "files: every file is in order")
+    root = Path(sys.argv[1]) if len(sys.argv) > 1 else Path(__file__).resolve().parents[2]
+    found = findings(root)
+    print("\n".join([f"warning: {line}" for line in untested(root)] + found) or "files: every file is in order")
     return 1 if found else 0
 
 

@@ -12,7 +12,7 @@ import check_layers
 CMAKE = """
 add_library(cad2slam_projector)
 target_sources(cad2slam_projector
-  PRIVATE cad2slam/io/projector_file.cpp
+  PRIVATE cad2slam/io/projector_file.cpp cad2slam/io/private.cpp
   PUBLIC FILE_SET HEADERS BASE_DIRS . FILES cad2slam/core/result.h cad2slam/projection/projector.h)
 target_sources(cad2slam_engine PRIVATE cad2slam/solver/mesh_solver.cpp)
 """
@@ -84,7 +84,9 @@ class CheckLayersTest(unittest.TestCase):
         self.assert_found("engine/cad2slam/projection/projector.h", "<opencv2/core.hpp>", "robots' library")
         self.assert_found("engine/cad2slam/io/projector_file.cpp", "<yaml-cpp/yaml.h>", "robots' library")
         self.assert_found("engine/cad2slam/projection/projector.h", '"cad2slam/mesh/mesh.h"', "holds everything")
+        self.assert_found("engine/cad2slam/io/private.h", "<opencv2/core.hpp>", "robots' library")
         self.assert_clean("engine/cad2slam/io/projector_file.cpp", '"cad2slam/core/result.h"')
+        self.assert_clean("engine/cad2slam/io/projector_file.cpp", '"cad2slam/io/private.h"')
         with tempfile.TemporaryDirectory() as folder:
             root = Path(folder)
             (root / "engine").mkdir()

@@ -124,17 +124,12 @@ Result<cv::Mat> loadPicture(const fs::path& image) {
   return std::move(picture);
 }
 
-Result<void> writeMap(const fs::path& yaml, const std::string& image_name, const cv::Mat& picture,
-                      const MapMetadata& metadata) {
-  const fs::path image = yaml.parent_path() / image_name;
-  if (image_name.empty() || fs::path(image_name).filename() != fs::path(image_name) ||
-      image_name.find('\0') != std::string::npos) {
-    return fail(ErrorCode::kUnwritable, "the image of a map must be a file name without folders", image.string());
-  }
+Result<void> writePicture(const fs::path& image, const cv::Mat& picture) {
   const std::string extension = lowerCase(image.extension().string());
   const bool is_pgm = extension == ".pgm";
   if (!is_pgm && extension != ".png") {
-    return fail(ErrorCode::kUnwritable, "maps are written as .pgm or .png, not " + excerpt(extension), image.string());
+    return fail(ErrorCode::kUnwritable, "pictures are written as .pgm or .png, not " + excerpt(extension),
+                image.string());
   }
   const int channels = picture.channels();
   const bool fits = !picture.empty() && (picture.depth() == CV_8U || picture.depth() == CV_16U) &&
@@ -153,10 +148,18 @@ Result<void> writeMap(const fs::path& yaml, const std::string& image_name, const
     encoded = false;
   }
   if (!encoded) return fail(ErrorCode::kInternal, "the image cannot be encoded", image.string());
+  return writeFileAtomically(image, std::string_view(reinterpret_cast<const char*>(bytes.data()), bytes.size()));
+}
+
+Result<void> writeMap(const fs::path& yaml, const std::string& image_name, const cv::Mat& picture,
+                      const MapMetadata& metadata) {
+  const fs::path image = yaml.parent_path() / image_name;
+  if (image_name.empty() || fs::path(image_name).filename() != fs::path(image_name) ||
+      image_name.find('\0') != std::string::npos) {
+    return fail(ErrorCode::kUnwritable, "the image of a map must be a file name without folders", image.string());
+  }
   // The image first: a YAML never names an image that is not there.
-  const Result<void> wrote_image =
-      writeFileAtomically(image, std::string_view(reinterpret_cast<const char*>(bytes.data()), bytes.size()));
-  if (!wrote_image) return wrote_image;
+  if (const Result<void> wrote_image = writePicture(image, picture); !wrote_image) return wrote_image;
   return writeFileAtomically(yaml, formatMapYaml(metadata, image_name));
 }
 

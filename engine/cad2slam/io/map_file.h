@@ -62,6 +62,9 @@ struct LoadedMap {
 /// The picture as it is, for drawing and warping: CV_8U or CV_16U with 1, 3 (BGR) or 4 (BGRA) channels.
 [[nodiscard]] Result<cv::Mat> loadPicture(const std::filesystem::path& image);
 
+/// Writes a picture of 8 or 16 bits with 1, 3 (BGR) or 4 (BGRA) channels, atomically; .png, or .pgm for grey.
+[[nodiscard]] Result<void> writePicture(const std::filesystem::path& image, const cv::Mat& picture);
+
 /// Writes picture (format by extension, .pgm or .png) and YAML beside each other, both atomically and with numbers that
 /// read back exactly; the YAML names the image by file name.
 [[nodiscard]] Result<void> writeMap(const std::filesystem::path& yaml, const std::string& image_name,

@@ -1,0 +1,58 @@
+// SPDX-FileCopyrightText: 2026 The CAD2SLAM authors
+// SPDX-License-Identifier: Apache-2.0
+#include <CLI/CLI.hpp>
+
+#include <exception>
+#include <iostream>
+#include <new>
+
+#include "app/cli_command.h"
+#include "app/version.h"
+
+namespace {
+
+constexpr int kFailure = 1;
+constexpr int kUsage = 2;
+
+int runCli(int argc, char** argv) {
+  using namespace cad2slam::cli;
+  CLI::App app("Projects poses between a building's blueprint and the SLAM maps of robots", "cad2slam-cli");
+  app.set_version_flag("--version", std::string("cad2slam-cli ") + cad2slam::kVersion);
+  app.require_subcommand(1);
+  ActionSlot chosen;
+  addSolveCommand(app, chosen);
+  addProjectCommand(app, chosen);
+  addInfoCommand(app, chosen);
+  addWarpCommand(app, chosen);
+  addPreviewCommand(app, chosen);
+  addConvertCommand(app, chosen);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? 0 : kUsage;
+  }
+  if (const cad2slam::Result<void> done = chosen.run(); !done) {
+    std::cout.flush();
+    std::cerr << "cad2slam-cli: " << done.error().sentence() << '\n';
+    return kFailure;
+  }
+  std::cout.flush();
+  if (!std::cout) {
+    std::cerr << "cad2slam-cli: the output could not be written\n";
+    return kFailure;
+  }
+  return 0;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    return runCli(argc, argv);
+  } catch (const std::bad_alloc&) {
+    std::cerr << "cad2slam-cli: not enough memory\n";
+  } catch (const std::exception& error) {
+    std::cerr << "cad2slam-cli: internal error: " << error.what() << '\n';
+  }
+  return kFailure;
+}

@@ -1,0 +1,24 @@
+# SPDX-FileCopyrightText: 2026 The CAD2SLAM authors
+# SPDX-License-Identifier: Apache-2.0
+
+# Installs the library for robots into an empty folder and builds and runs a robot's project against it.
+# In: BUILD_DIR, CONFIG, SOURCE_DIR, WORK_DIR, GENERATOR, COMPILER
+function(run)
+  execute_process(COMMAND ${ARGN} COMMAND_ECHO STDOUT COMMAND_ERROR_IS_FATAL ANY)
+endfunction()
+
+file(REMOVE_RECURSE ${WORK_DIR})
+run(${CMAKE_COMMAND} --install ${BUILD_DIR} --config ${CONFIG} --component dev --prefix ${WORK_DIR}/prefix)
+# Nothing of this tree may be needed any more.
+run(${CMAKE_COMMAND} -S ${SOURCE_DIR}/robot -B ${WORK_DIR}/build -G ${GENERATOR} -DCMAKE_BUILD_TYPE=${CONFIG}
+    -DCMAKE_CXX_COMPILER=${COMPILER} -DCMAKE_PREFIX_PATH=${WORK_DIR}/prefix)
+run(${CMAKE_COMMAND} --build ${WORK_DIR}/build)
+run(${WORK_DIR}/build/robot)
+file(GLOB_RECURSE configs ${WORK_DIR}/prefix/*.cmake)
+foreach(config ${configs})
+  file(READ ${config} text)
+  string(FIND "${text}" "${BUILD_DIR}" place)
+  if(NOT place EQUAL -1)
+    message(FATAL_ERROR "${config} names the build folder")
+  endif()
+endforeach()
