@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The CAD2SLAM authors
 // SPDX-License-Identifier: Apache-2.0
+#include "app/version.h"
 #include "ui/main_window/main_window.h"
 #include "ui/main_window/project_files.h"
 
@@ -10,7 +11,7 @@ int main(int argc, char** argv) {
   QApplication::setOrganizationName(QStringLiteral("cad2slam"));
   QApplication::setApplicationName(QStringLiteral("cad2slam"));
   QApplication::setApplicationDisplayName(QStringLiteral("CAD2SLAM"));
-  QApplication::setApplicationVersion(QStringLiteral(CAD2SLAM_VERSION));
+  QApplication::setApplicationVersion(QString::fromLatin1(cad2slam::kVersion));
 
   cad2slam::MainWindow window;
   window.show();
