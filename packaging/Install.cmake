@@ -27,14 +27,14 @@ function(cad2slam_install_manual program component)
 endfunction()
 
 # --- Command line program -------------------------------------------------------------------------------------------
-if(TARGET cad2slam-cli)
-  install(TARGETS cad2slam-cli RUNTIME COMPONENT cli)
+if(TARGET cad2slam_cli)
+  install(TARGETS cad2slam_cli RUNTIME COMPONENT cli)
   cad2slam_install_manual(cad2slam-cli cli)
 endif()
 
 # --- Desktop program ------------------------------------------------------------------------------------------------
-if(TARGET cad2slam)
-  install(TARGETS cad2slam RUNTIME COMPONENT app)
+if(TARGET cad2slam_app)
+  install(TARGETS cad2slam_app RUNTIME COMPONENT app)
   cad2slam_install_manual(cad2slam app)
   install(FILES desktop/org.cad2slam.cad2slam.desktop DESTINATION ${CMAKE_INSTALL_DATADIR}/applications COMPONENT app)
   install(FILES desktop/org.cad2slam.cad2slam.mime.xml DESTINATION ${CMAKE_INSTALL_DATADIR}/mime/packages

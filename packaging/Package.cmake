@@ -45,7 +45,7 @@ of a building into the SLAM map of a robot and back. C++17 and later, static,
 thread-safe; needs neither Ceres nor OpenCV nor Qt.")
 set(CPACK_DEBIAN_DEV_PACKAGE_DEPENDS "libeigen3-dev, libexpected-dev, libssl-dev")
 
-if(TARGET cad2slam-cli)
+if(TARGET cad2slam_cli)
   list(APPEND CPACK_COMPONENTS_ALL cli)
   cad2slam_package(cli cad2slam-cli science
 "joins building blueprints and robot SLAM maps: command line
@@ -56,7 +56,7 @@ scripts; needs no display.")
   set(CPACK_DEBIAN_CLI_PACKAGE_RECOMMENDS "libopenblas0-pthread | libopenblas0")
 endif()
 
-if(TARGET cad2slam)
+if(TARGET cad2slam_app)
   list(APPEND CPACK_COMPONENTS_ALL app)
   cad2slam_package(app cad2slam science
 "joins building blueprints and robot SLAM maps: desktop program

@@ -95,8 +95,9 @@ class Furnisher {
     const Eigen::Vector2d size = room.size();
     const int desks = static_cast<int>(size.prod() / 9.0);
     for (int i = 0; i < desks; ++i) {
-      const Eigen::Vector2d place(random_.uniform(room.low.x() + 1.0, std::max(room.low.x() + 1.01, room.high.x() - 1.0)),
-                                  random_.uniform(room.low.y() + 1.0, std::max(room.low.y() + 1.01, room.high.y() - 1.0)));
+      const Eigen::Vector2d place(
+          random_.uniform(room.low.x() + 1.0, std::max(room.low.x() + 1.01, room.high.x() - 1.0)),
+          random_.uniform(room.low.y() + 1.0, std::max(room.low.y() + 1.01, room.high.y() - 1.0)));
       if (!blocksADoor(place, 0.8)) putDesk(place, 0.5 * kPi * random_.integer(0, 3) + 0.05 * random_.normal());
     }
     putAlongWalls(room, static_cast<int>(size.sum() / 2.5), {0.5, 0.21});
@@ -178,7 +179,9 @@ double alongRoute(const std::vector<Eigen::Vector2d>& route, const Eigen::Vector
 
 }  // namespace
 
-FurnishedWorld furnish(const SitePlan& plan, SeededRandom& random) { return Furnisher(plan, random).run(); }
+FurnishedWorld furnish(const SitePlan& plan, SeededRandom& random) {
+  return Furnisher(plan, random).run();
+}
 
 std::vector<Pose2> driveThrough(const SitePlan& plan, const FurnishedWorld& world, double spacing_m,
                                 SeededRandom& random) {

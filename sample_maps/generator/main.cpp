@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The CAD2SLAM authors
 // SPDX-License-Identifier: Apache-2.0
 
-// Makes the three sample sites: cad2slam_sample_generator [OUTPUT_FOLDER [SITE]]. The same program gives the same files.
+// Makes the three sample sites: cad2slam_sample_generator [OUTPUT_FOLDER [SITE]]. The same program gives the same
+// files.
 #include "cad2slam/io/anchors_csv.h"
 #include "cad2slam/io/map_file.h"
 #include "cad2slam/io/true_warp_file.h"
@@ -55,8 +56,8 @@ SampleSite officeSite() {
   site.building.seed = 7;
   SlamRecipe loop;
   loop.warp = turned(21.0, 12.5, 168.0);
-  loop.warp.heading_drift_rad = 0.11;
-  loop.warp.route_stretch_sigma = 0.02;
+  loop.warp.heading_drift_rad = 0.15;
+  loop.warp.route_stretch_sigma = 0.03;
   loop.warp.bend_rad = 0.16;
   loop.warp.wave_m = 0.25;
   loop.warp.wave_length_m = 26.0;
@@ -90,17 +91,17 @@ SampleSite corridorSite() {
   site.building.seed = 3;
   SlamRecipe drift;
   drift.warp = turned(5.0, 3.0, -95.0);
-  drift.warp.heading_drift_rad = 0.1;
+  drift.warp.heading_drift_rad = 0.2;
   drift.warp.route_stretch = -0.03;
-  drift.warp.route_stretch_sigma = 0.015;
+  drift.warp.route_stretch_sigma = 0.02;
   drift.warp.correlation_m = 25.0;
   drift.warp.wobble_m = 0.04;
   drift.seed = 301;
   SlamRecipe short_corridor;
   short_corridor.warp = turned(60.0, 20.0, 31.0);
-  short_corridor.warp.heading_drift_rad = 0.16;
+  short_corridor.warp.heading_drift_rad = 0.18;
   short_corridor.warp.route_stretch = 0.012;
-  short_corridor.warp.route_stretch_sigma = 0.035;
+  short_corridor.warp.route_stretch_sigma = 0.05;
   short_corridor.warp.bend_rad = 0.1;
   short_corridor.warp.wobble_m = 0.03;
   short_corridor.anchor_layout = AnchorLayout::kAlongRoute;
@@ -120,12 +121,12 @@ SampleSite warehouseSite() {
   site.building.seed = 5;
   SlamRecipe loops;
   loops.warp = turned(0.0, 0.0, 180.0);
-  loops.warp.heading_drift_rad = 0.2;
-  loops.warp.route_stretch_sigma = 0.02;
+  loops.warp.heading_drift_rad = 0.03;
+  loops.warp.route_stretch_sigma = 0.008;
   loops.warp.correlation_m = 30.0;
-  loops.warp.bend_rad = 0.2;
-  loops.warp.wave_m = 0.5;
-  loops.warp.wave_length_m = 40.0;
+  loops.warp.bend_rad = 0.26;
+  loops.warp.wave_m = 0.4;
+  loops.warp.wave_length_m = 35.0;
   loops.warp.wobble_m = 0.03;
   loops.sensor.range_max_m = 20.0;
   loops.seed = 501;
@@ -182,9 +183,13 @@ Result<void> makeSlamMap(const std::filesystem::path& folder, const SampleSite& 
   anchors.layout = recipe.anchor_layout;
   anchors.blueprint_click_m = kClickPx * site.building.resolution_m_per_px;
   anchors.slam_click_m = kClickPx * kSlamResolution;
-  const AnchorList clicked = placeAnchors(building, warp, anchors, random, [&](const Eigen::Vector2d& corner) {
+  AnchorList clicked = placeAnchors(building, warp, anchors, random, [&](const Eigen::Vector2d& corner) {
     return isVisible(*map, warp.slamFromPlan(corner));
   });
+  for (Anchor& anchor : clicked) {  // to the millimetre, for readers
+    anchor.in_blueprint = (anchor.in_blueprint * 1000.0).array().round() / 1000.0;
+    anchor.in_slam = (anchor.in_slam * 1000.0).array().round() / 1000.0;
+  }
   if (Result<void> written = writeAnchorsCsv(folder / ("anchors_" + number + ".csv"), clicked); !written) {
     return written;
   }

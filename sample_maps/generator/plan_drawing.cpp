@@ -4,6 +4,8 @@
 
 #include <opencv2/imgproc.hpp>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 
@@ -82,7 +84,8 @@ class Drawing {
     for (const Space& space : building_.plan.spaces) {
       if (space.use == SpaceUse::kRoom) {
         std::array<char, 40> area{};
-        std::snprintf(area.data(), area.size(), "%.1f m2", space.box.size().prod());
+        const double claimed_scale = building_.blueprint_from_plan.scale;  // the drawing believes itself
+        std::snprintf(area.data(), area.size(), "%.1f m2", space.box.size().prod() * claimed_scale * claimed_scale);
         text(image, std::to_string(number++), space.box.center() + Eigen::Vector2d(0.0, 0.25), 0.38, kLightInk, true);
         if (space.box.size().minCoeff() > 2.6) {
           text(image, area.data(), space.box.center() - Eigen::Vector2d(0.0, 0.35), 0.26, kLightInk, true);
@@ -91,7 +94,7 @@ class Drawing {
     }
   }
 
-  /// The chain of dimensions above the building, with a tick at every window row and at both ends.
+  /// The overall length above the building.
   void dimension() {
     const Eigen::Vector2d& size = building_.plan.size_m;
     const double y = size.y() + building_.plan.outer_wall_m + 0.55;
@@ -116,6 +119,8 @@ class Drawing {
 
 }  // namespace
 
-cv::Mat drawBlueprint(const Building& building, const std::string& title) { return Drawing(building).run(title); }
+cv::Mat drawBlueprint(const Building& building, const std::string& title) {
+  return Drawing(building).run(title);
+}
 
 }  // namespace cad2slam::samples

@@ -63,7 +63,8 @@ MapFrame frameAround(const std::vector<Eigen::Vector2d>& places, double resoluti
     high = high.cwiseMax(place);
   }
   // Like a SLAM program that grows its map in whole cells around the place where it started.
-  const Eigen::Vector2d corner = ((low.array() - 0.5) / resolution).floor() * resolution;
+  const Eigen::Vector2d cells = ((low.array() - 0.5) / resolution).floor();
+  const Eigen::Vector2d corner = (cells * resolution * 1e6).array().round() / 1e6;  // short numbers in the YAML
   const Eigen::Vector2d size_px = ((high - corner).array() + 0.5) / resolution;
   return *MapFrame::create(resolution, static_cast<int>(std::ceil(size_px.x())),
                            static_cast<int>(std::ceil(size_px.y())), {corner, 0.0});
@@ -142,8 +143,8 @@ Result<SlamMap> mapDrive(const SitePlan& plan, const FurnishedWorld& world, cons
     // People walk on the robot's own way, most of them towards it.
     std::vector<Eigen::Vector2d> legs;
     for (int person = 0; person < sensor.people; ++person) {
-      const std::size_t step = (drive.size() * static_cast<std::size_t>(person + 1) / 3 + 3 * drive.size() - i) %
-                               drive.size();
+      const std::size_t step =
+          (drive.size() * static_cast<std::size_t>(person + 1) / 3 + 3 * drive.size() - i) % drive.size();
       const Pose2& walker = drive[step];
       if ((walker.translation - drive[i].translation).norm() < 0.8) continue;
       const double stride = 0.15 * std::sin(0.9 * static_cast<double>(i));

@@ -19,7 +19,7 @@ _CODE = (".h", ".h.in", ".cpp", ".c", ".py", ".sh", ".cmake", ".cmake.in", "CMak
 FORBIDDEN = (
     (re.compile(r"-march=native"), "AVX would change Eigen's alignment against Debian's libceres"),
     (re.compile(r"^(<<<<<<<|>>>>>>>|=======$)"), "merge marker"),
-    (re.compile(r"(?<![\w.])/(home|root|work)/"), "path of one machine"),
+    (re.compile(r"(?<![\w.}])/(home|root|work)/"), "path of one machine"),
     (re.compile(r"\b(TODO|FIXME|XXX)\b"), "finish it or file an issue"),
     (re.compile(r"[ \t]+$"), "trailing whitespace"),
 )

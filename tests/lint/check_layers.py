@@ -36,6 +36,7 @@ VALUE_HEADERS = {
     "cad2slam/map/occupancy_grid.h",
     "cad2slam/mesh/tile_lattice.h",
     "cad2slam/projection/projector_data.h",
+    "cad2slam/simulation/true_warp.h",
     "cad2slam/solver/solution.h",
     "cad2slam/solver/solver_settings.h",
 }

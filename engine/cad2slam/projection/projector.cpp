@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "cad2slam/mesh/tile_index.h"
+#include "cad2slam/projection/node_blending.h"
 #include "cad2slam/projection/spatial_hash.h"
 
 namespace cad2slam {
@@ -25,51 +26,6 @@ using Eigen::Vector2d;
 constexpr double kLargestCell = 1e9;             // tile numbers stay far inside 32 bits
 constexpr double kLargestStretch = 5.0;          // e^5: no map of a building is 148 times longer than its plan
 constexpr double kPaperDistanceOffset_m = 1e-3;  // the authors' guard against dividing by zero
-
-/// What one node predicts, as an affine function of the place in the blueprint: linear * p + offset.
-struct NodePrediction {
-  Matrix2d linear;
-  Vector2d offset;
-};
-
-/// Weights of a quadratic B-spline at the three lattice centres around a place, and their derivatives.
-struct SplineWeights {
-  double value[3];
-  double slope[3];
-
-  explicit SplineWeights(double fraction)
-      : value{0.5 * (1.0 - fraction) * (1.0 - fraction), 0.75 - (fraction - 0.5) * (fraction - 0.5),
-              0.5 * fraction * fraction},
-        slope{fraction - 1.0, 1.0 - 2.0 * fraction, fraction} {}
-};
-
-/// Weighted sums over the nodes around a place. Derivatives are with respect to the coordinate in which the weights
-/// were given to add().
-struct BlendSums {
-  double weight = 0.0;
-  Vector2d weight_slope = Vector2d::Zero();
-  Vector2d position = Vector2d::Zero();
-  Matrix2d linear = Matrix2d::Zero();
-  Matrix2d position_slope = Matrix2d::Zero();
-
-  void add(const NodePrediction& node, const Vector2d& point, double w, double slope_x, double slope_y) {
-    const Vector2d predicted = node.linear * point + node.offset;
-    weight += w;
-    weight_slope.x() += slope_x;
-    weight_slope.y() += slope_y;
-    position += w * predicted;
-    linear += w * node.linear;
-    position_slope.col(0) += slope_x * predicted;
-    position_slope.col(1) += slope_y * predicted;
-  }
-};
-
-/// The forward function at one place.
-struct Blend {
-  Vector2d position;  ///< [m], SLAM frame
-  Matrix2d linear;    ///< weighted mean of the nodes' linear parts: turns headings
-  Matrix2d jacobian;  ///< true derivative of the position
-};
 
 double headingAfter(const Matrix2d& linear, double heading) {
   const Vector2d direction = linear * Vector2d(std::cos(heading), std::sin(heading));
@@ -224,14 +180,7 @@ Blend Projector::Impl::blendSmooth(const Vector2d& point, const Vector2d& cells,
     sums.add(nodes[around[k]], point, across.value[column] * up.value[row], across.slope[column] * up.value[row],
              across.value[column] * up.slope[row]);
   }
-  const double inverse_weight = 1.0 / sums.weight;
-  Blend blend;
-  blend.position = sums.position * inverse_weight;
-  blend.linear = sums.linear * inverse_weight;
-  const Matrix2d slope_per_cell =
-      (sums.position_slope - blend.position * sums.weight_slope.transpose()) * inverse_weight;
-  blend.jacobian = blend.linear + slope_per_cell * cells_from_blueprint_;
-  return blend;
+  return blendOf(sums, cells_from_blueprint_);
 }
 
 Blend Projector::Impl::blendPaper(const Vector2d& point, const TileCoordinate& tile) const {
@@ -249,11 +198,7 @@ Blend Projector::Impl::blendPaper(const Vector2d& point, const TileCoordinate& t
       sums.add(nodes[node], point, weight, slope.x(), slope.y());
     }
   }
-  Blend blend;
-  blend.position = sums.position / sums.weight;
-  blend.linear = sums.linear / sums.weight;
-  blend.jacobian = blend.linear + (sums.position_slope - blend.position * sums.weight_slope.transpose()) / sums.weight;
-  return blend;
+  return blendOf(sums, Matrix2d::Identity());
 }
 
 Projection Projector::Impl::forward(const Pose2& pose, OutsidePolicy outside) const {

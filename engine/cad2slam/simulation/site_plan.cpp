@@ -229,7 +229,11 @@ void makeHall(SitePlan& plan, SeededRandom& random) {
   }
   for (double x = random.uniform(7.0, 9.0); x < width - 2.0; x += 10.0) {  // pillars along both long walls
     plan.solids.push_back({{x, 0.0}, {x + 0.5, 0.35}});
-    plan.solids.push_back({{x, hall_top - 0.35}, {x + 0.5, hall_top}});
+    const Box pillar{{x, hall_top - 0.35}, {x + 0.5, hall_top}};
+    const bool blocks_a_door = std::any_of(plan.doors.begin(), plan.doors.end(), [&](const Doorway& door) {
+      return pillar.grownBy(1.1).contains(door.opening.center());
+    });
+    if (!blocks_a_door) plan.solids.push_back(pillar);
   }
   const double left = 0.5 * cross;
   const double right = width - 0.5 * cross;
