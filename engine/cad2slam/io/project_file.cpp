@@ -116,6 +116,7 @@ ProjectRaster readRaster(const JsonReader& reader, const fs::path& folder) {
   }
   metadata.negate = reader["negate"].flag(metadata.negate);
   metadata.mode = valueOf(reader["mode"], kModes, metadata.mode);
+  metadata.mirrored = reader["mirrored"].flag(metadata.mirrored);
   raster.image_bytes = reader["image_bytes"].integer<std::uintmax_t>(0);
   raster.image_sha256 = readSha256(reader["image_sha256"]);
   return raster;
@@ -217,6 +218,7 @@ ordered_json rasterJson(const ProjectRaster& raster, const fs::path& folder) {
   text["free_thresh"] = metadata.free_threshold;
   text["negate"] = metadata.negate;
   text["mode"] = wordOf(metadata.mode, kModes);
+  text["mirrored"] = metadata.mirrored;
   return text;
 }
 
