@@ -45,7 +45,7 @@ struct SolverSettings {
       lambda_theta;  ///< [m^2] edge heading; empty: 1.5 m (kSmooth: 0.5 m) x diagonal of the mesh in SLAM metres
   double lambda_stretch = 10.0;  ///< [m^2] smoothness of the stretch; stretch model only
   double prior_strength = 3.0;   ///< mu_iso = mu_0 = prior_strength / n per square metre of tile; stretch model only
-  double anchor_information = 100.0;   ///< k
+  double anchor_information = 100.0;         ///< k
   std::optional<double> loss_width_m = 1.0;  ///< width of the Cauchy loss on anchors; empty: squared loss
   int max_iterations = 100;
   double gradient_tolerance = 1e-9;  ///< stop when |gradient| falls below this part of the gradient at the start
