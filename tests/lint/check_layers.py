@@ -27,6 +27,7 @@ MODULES = {
     "simulation": _FUNCTION,
     "evaluation": _FUNCTION | {"planning", "simulation"},
     "io": _BASE,  # and VALUE_HEADERS
+    "c_api": _BASE | {"io"},
 }
 
 # Values that files hold: no algorithm behind them.
@@ -110,9 +111,9 @@ def includes_under(root: Path, folder: str) -> Iterator[Include]:
 
 
 def projector_files(cmake: str) -> set[str]:
-    """The files of target cad2slam_projector, as named in engine/CMakeLists.txt, with the private header of each source."""
+    """The files of the targets for robots, as named in engine/CMakeLists.txt, with the private header of each source."""
     files: set[str] = set()
-    for block in re.findall(r"target_sources\(\s*cad2slam_projector\b([^)]*)\)", cmake):
+    for block in re.findall(r"target_sources\(\s*cad2slam_(?:projector|c)\b([^)]*)\)", cmake):
         files.update(re.findall(r"cad2slam/[\w/]+\.(?:h|cpp)", block))
     return files | {re.sub(r"\.cpp$", ".h", file) for file in files}
 
