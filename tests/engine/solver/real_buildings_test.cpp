@@ -73,7 +73,7 @@ void RealBuildingsTest::rigid() {
   QVERIFY(solution->relative_gradient < 1e-8);
   const Numbers numbers = numbersOf(*solution);
   qDebug("cost %.9g, residual %.5f m, leave one out %.5f m", numbers.cost, numbers.mean_residual_m,
-        numbers.mean_leave_one_out_m);
+         numbers.mean_leave_one_out_m);
   QVERIFY(near(numbers.cost, cost, 1e-6));
   QVERIFY(near(numbers.mean_residual_m, residual_m, 1e-3));
   QVERIFY(near(numbers.mean_leave_one_out_m, leave_one_out_m, 1e-3));
