@@ -20,6 +20,7 @@
 #include "cad2slam/evaluation/report_pictures.h"
 #include "cad2slam/evaluation/scan_comparison.h"
 #include "cad2slam/evaluation/speed_benchmark.h"
+#include "cad2slam/evaluation/truth_error.h"
 #include "cad2slam/io/atomic_file.h"
 #include "cad2slam/io/paths_csv.h"
 #include "cad2slam/io/true_warp_file.h"

@@ -108,7 +108,7 @@ std::string drawLineChart(const std::vector<ChartSeries>& series, const std::str
     }
   }
   std::string svg = "<svg viewBox=\"0 0 " + number(kWidth) + " " + number(kHeight) +
-                    "\" xmlns=\"http://www.w3.org/2000/svg\" role=\"img\" font-family=\"system-ui, sans-serif\" "
+                    "\" role=\"img\" font-family=\"system-ui, sans-serif\" "
                     "font-size=\"13\" fill=\"currentColor\">\n";
   if (abscissae.empty()) return svg + text(kWidth / 2, kHeight / 2, "middle", "nothing to show") + "</svg>\n";
   x.widen(1.08);
@@ -135,7 +135,10 @@ std::string drawLineChart(const std::vector<ChartSeries>& series, const std::str
     for (const Eigen::Vector2d& point : one.points) {
       if (!isDrawable(point)) continue;
       last = y.place(point.y());
-      path += (path.empty() ? "M" : "L") + number(x.place(point.x())) + " " + number(last) + " ";
+      path += path.empty() ? 'M' : 'L';
+      path += number(x.place(point.x()));
+      path += ' ';
+      path += number(last);
       dots += "<circle cx=\"" + number(x.place(point.x())) + "\" cy=\"" + number(last) + "\" r=\"3\" fill=\"" +
               one.color + "\"/>";
     }
