@@ -5,6 +5,7 @@
 #include "ui/main_window/project_files.h"
 
 #include <QApplication>
+#include <QCommandLineParser>
 
 int main(int argc, char** argv) {
   QApplication app(argc, argv);
@@ -12,10 +13,22 @@ int main(int argc, char** argv) {
   QApplication::setApplicationName(QStringLiteral("cad2slam"));
   QApplication::setApplicationDisplayName(QStringLiteral("CAD2SLAM"));
   QApplication::setApplicationVersion(QString::fromLatin1(cad2slam::kVersion));
+  // Names the desktop entry, by which a Wayland desktop finds the icon of the window.
+  QGuiApplication::setDesktopFileName(QStringLiteral("org.cad2slam.cad2slam"));
+
+  QCommandLineParser arguments;
+  arguments.setApplicationDescription(
+      QCoreApplication::translate("main", "Joins the blueprint of a building with a robot's SLAM map."));
+  arguments.addHelpOption();
+  arguments.addVersionOption();
+  arguments.addPositionalArgument(QStringLiteral("project"),
+                                  QCoreApplication::translate("main", "Project to open (.c2sproj)."),
+                                  QStringLiteral("[PROJECT.c2sproj]"));
+  arguments.process(app);
 
   cad2slam::MainWindow window;
   window.show();
-  if (const QStringList arguments = QApplication::arguments(); arguments.size() > 1)
-    window.files().openProject(arguments.at(1));
+  if (const QStringList projects = arguments.positionalArguments(); !projects.isEmpty())
+    window.files().openProject(projects.constFirst());
   return QApplication::exec();
 }
