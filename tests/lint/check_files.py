@@ -12,8 +12,13 @@ from pathlib import Path
 
 SPDX = ("SPDX-FileCopyrightText: 2026 The CAD2SLAM authors", "SPDX-License-Identifier: Apache-2.0")
 MAX_LINES = 500
-FOLDERS = ("app", "cmake", "engine", "packaging", "resources", "sample_maps", "tests", "ui", ".ci")
+FOLDERS = ("app", "cmake", "docs", "engine", "packaging", "python", "resources", "sample_maps", "tests", "ui", ".ci")
 _CODE = (".h", ".h.in", ".cpp", ".c", ".py", ".sh", ".cmake", ".cmake.in", "CMakeLists.txt")
+
+# Longer files, each with its reason.
+LONG_FILES = {
+    "python/cad2slam.py": "one file by design: a robot gets it by copying it",
+}
 
 # Lines that no file may hold.
 FORBIDDEN = (
@@ -45,7 +50,7 @@ def file_findings(name: str, text: str) -> list[str]:
         found.append(f"{name}:{first + 1}: the two SPDX lines are the head of each file")
     if name.endswith(".h") and "#pragma once" not in lines:
         found.append(f"{name}:1: header without #pragma once")
-    if len(lines) - 1 > MAX_LINES:
+    if len(lines) - 1 > MAX_LINES and name not in LONG_FILES:
         found.append(f"{name}:{MAX_LINES + 1}: {len(lines) - 1} lines, at most {MAX_LINES} are readable")
     if not text.endswith("\n") or text.endswith("\n\n"):
         found.append(f"{name}:{len(lines)}: ends in exactly one line end")

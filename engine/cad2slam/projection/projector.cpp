@@ -5,10 +5,11 @@
 #include <Eigen/LU>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <limits>
-#include <mutex>
 #include <string>
+#include <system_error>
 #include <thread>
 #include <utility>
 #include <vector>
@@ -85,8 +86,8 @@ class Projector::Impl {
   [[nodiscard]] Vector2d centerOf(std::uint32_t node) const {
     return info.lattice.blueprintFromCells(Vector2d(tiles_[node].column + 0.5, tiles_[node].row + 0.5));
   }
-  [[nodiscard]] const std::vector<bool>& foldedTiles() const;
-  [[nodiscard]] bool foldsNear(const TileCoordinate& tile) const;
+  [[nodiscard]] bool folds(std::uint32_t node) const;
+  [[nodiscard]] bool foldsNear(std::uint32_t node) const;
 
   TileIndex index_;
   std::vector<TileCoordinate> tiles_;
@@ -95,9 +96,14 @@ class Projector::Impl {
   Matrix2d cells_from_blueprint_ = Matrix2d::Identity();
   Vector2d cells_offset_ = Vector2d::Zero();
 
-  mutable std::once_flag folds_counted_;
-  mutable std::vector<bool> folded_;
-  mutable std::size_t folded_count_ = 0;
+  /// What is known of one node. Found out when a query first asks: going through all of them would take longer than
+  /// the rest of loading. Threads that ask at the same time all find out the same.
+  enum class Known : std::uint8_t { kNothing, kNo, kYes };
+  struct FoldMemory {
+    std::atomic<Known> folds;
+    std::atomic<Known> folds_near;
+  };
+  mutable std::unique_ptr<FoldMemory[]> fold_memory_;
 };
 
 Result<std::shared_ptr<const Projector::Impl>> Projector::Impl::create(const ProjectorInfo& info,
@@ -159,6 +165,7 @@ Result<std::shared_ptr<const Projector::Impl>> Projector::Impl::create(const Pro
     if (!impl->centers_.empty()) impl->centers_[i] = center;
   }
   impl->seeds_ = SpatialHash(positions, 2.0 * info.scale * lattice.cell_size);
+  impl->fold_memory_ = std::make_unique<FoldMemory[]>(arrays.node_count);
   return impl;
 }
 
@@ -313,7 +320,8 @@ bool Projector::Impl::hasOtherPreimage(const Preimage& found, const Vector2d& ta
   constexpr std::int32_t kSameSheet = 3;  // tiles
   TileCoordinate tile;
   (void)tileOf(cellsOf(found.point), tile);
-  const bool folds = foldsNear(tile);
+  const std::uint32_t own = index_.at(tile.column, tile.row);
+  const bool folds = own != TileIndex::kNone && foldsNear(own);
   for (std::size_t k = 0; k < seeds.count; ++k) {
     const TileCoordinate other = tiles_[seeds.nodes[k]];
     const bool far = std::abs(other.column - tile.column) > kSameSheet || std::abs(other.row - tile.row) > kSameSheet;
@@ -327,40 +335,42 @@ bool Projector::Impl::hasOtherPreimage(const Preimage& found, const Vector2d& ta
   return false;
 }
 
-const std::vector<bool>& Projector::Impl::foldedTiles() const {
-  std::call_once(folds_counted_, [this] {
-    folded_.assign(nodes.size(), false);
-    constexpr double kEdge = 1e-9;
-    const Vector2d samples[] = {
-        {0.5, 0.5}, {kEdge, kEdge}, {1 - kEdge, kEdge}, {kEdge, 1 - kEdge}, {1 - kEdge, 1 - kEdge}};
-    for (std::size_t node = 0; node < nodes.size(); ++node) {
-      const Vector2d corner(tiles_[node].column, tiles_[node].row);
-      const bool folds = std::any_of(std::begin(samples), std::end(samples), [&](const Vector2d& sample) {
-        const Vector2d cells = corner + sample;
-        return !(blend(info.lattice.blueprintFromCells(cells), cells, tiles_[node]).jacobian.determinant() > 0.0);
-      });
-      folded_[node] = folds;
-      folded_count_ += folds ? 1 : 0;
-    }
+/// Whether the forward function turns over at the middle or a corner of a tile.
+bool Projector::Impl::folds(std::uint32_t node) const {
+  std::atomic<Known>& memory = fold_memory_[node].folds;
+  if (const Known known = memory.load(std::memory_order_relaxed); known != Known::kNothing) return known == Known::kYes;
+  constexpr double kEdge = 1e-9;
+  const Vector2d samples[] = {
+      {0.5, 0.5}, {kEdge, kEdge}, {1 - kEdge, kEdge}, {kEdge, 1 - kEdge}, {1 - kEdge, 1 - kEdge}};
+  const Vector2d corner(tiles_[node].column, tiles_[node].row);
+  const bool found = std::any_of(std::begin(samples), std::end(samples), [&](const Vector2d& sample) {
+    const Vector2d cells = corner + sample;
+    return !(blend(info.lattice.blueprintFromCells(cells), cells, tiles_[node]).jacobian.determinant() > 0.0);
   });
-  return folded_;
+  memory.store(found ? Known::kYes : Known::kNo, std::memory_order_relaxed);
+  return found;
 }
 
-bool Projector::Impl::foldsNear(const TileCoordinate& tile) const {
-  if (foldedTileCount() == 0) return false;
+/// Whether a tile or one within two tiles of it folds.
+bool Projector::Impl::foldsNear(std::uint32_t node) const {
+  std::atomic<Known>& memory = fold_memory_[node].folds_near;
+  if (const Known known = memory.load(std::memory_order_relaxed); known != Known::kNothing) return known == Known::kYes;
   constexpr std::int32_t kReach = 2;
+  bool found = false;
   for (std::int32_t dy = -kReach; dy <= kReach; ++dy) {
     for (std::int32_t dx = -kReach; dx <= kReach; ++dx) {
-      const std::uint32_t node = index_.at(tile.column + dx, tile.row + dy);
-      if (node != TileIndex::kNone && foldedTiles()[node]) return true;
+      const std::uint32_t other = index_.at(tiles_[node].column + dx, tiles_[node].row + dy);
+      found = found || (other != TileIndex::kNone && folds(other));
     }
   }
-  return false;
+  memory.store(found ? Known::kYes : Known::kNo, std::memory_order_relaxed);
+  return found;
 }
 
 std::size_t Projector::Impl::foldedTileCount() const {
-  (void)foldedTiles();
-  return folded_count_;
+  std::size_t count = 0;
+  for (std::uint32_t node = 0; node < nodes.size(); ++node) count += folds(node) ? 1 : 0;
+  return count;
 }
 
 double Projector::Impl::distanceToMesh(const Vector2d& point) const {
@@ -401,26 +411,26 @@ Result<Projector> Projector::create(const ProjectorData& data) {
   return create(data.info, {n, blueprint, slam.data(), stretch, tile});
 }
 
-const ProjectorInfo& Projector::info() const {
+const ProjectorInfo& Projector::info() const noexcept {
   return impl_->info;
 }
-std::size_t Projector::nodeCount() const {
+std::size_t Projector::nodeCount() const noexcept {
   return impl_->nodes.size();
 }
-std::size_t Projector::foldedTileCount() const {
+std::size_t Projector::foldedTileCount() const noexcept {
   return impl_->foldedTileCount();
 }
 
-Projection Projector::slamFromBlueprint(const Pose2& pose_in_blueprint, OutsidePolicy outside) const {
+Projection Projector::slamFromBlueprint(const Pose2& pose_in_blueprint, OutsidePolicy outside) const noexcept {
   return impl_->forward(pose_in_blueprint, outside);
 }
-Projection Projector::blueprintFromSlam(const Pose2& pose_in_slam, OutsidePolicy outside) const {
+Projection Projector::blueprintFromSlam(const Pose2& pose_in_slam, OutsidePolicy outside) const noexcept {
   return impl_->backward(pose_in_slam, outside);
 }
-Projection Projector::slamFromBlueprint(const Pose2& pose_in_blueprint) const {
+Projection Projector::slamFromBlueprint(const Pose2& pose_in_blueprint) const noexcept {
   return impl_->forward(pose_in_blueprint, impl_->info.outside);
 }
-Projection Projector::blueprintFromSlam(const Pose2& pose_in_slam) const {
+Projection Projector::blueprintFromSlam(const Pose2& pose_in_slam) const noexcept {
   return impl_->backward(pose_in_slam, impl_->info.outside);
 }
 
@@ -436,7 +446,12 @@ void projectAll(const Pose2* in, Projection* out, std::size_t count, unsigned th
   };
   std::vector<std::thread> workers;
   workers.reserve(parts - 1);
-  for (std::size_t k = 1; k < parts; ++k) workers.emplace_back(part, k);
+  try {
+    while (workers.size() + 1 < parts) workers.emplace_back(part, workers.size() + 1);
+  } catch (const std::system_error&) {
+    // No thread to be had: this one does what is left.
+  }
+  for (std::size_t k = workers.size() + 1; k < parts; ++k) part(k);
   part(0);
   for (std::thread& worker : workers) worker.join();
 }
@@ -453,11 +468,11 @@ void Projector::blueprintFromSlam(const Pose2* in, Projection* out, std::size_t 
   projectAll(in, out, count, threads, [&](const Pose2& pose) { return impl_->backward(pose, outside); });
 }
 
-Eigen::Matrix2d Projector::jacobian(const Eigen::Vector2d& point_in_blueprint) const {
+Eigen::Matrix2d Projector::jacobian(const Eigen::Vector2d& point_in_blueprint) const noexcept {
   return impl_->jacobian(point_in_blueprint);
 }
 
-double Projector::distanceToMesh(const Eigen::Vector2d& point_in_blueprint) const {
+double Projector::distanceToMesh(const Eigen::Vector2d& point_in_blueprint) const noexcept {
   return impl_->distanceToMesh(point_in_blueprint);
 }
 

@@ -55,16 +55,16 @@ class Projector {
   [[nodiscard]] static Result<Projector> create(const ProjectorInfo& info, const ProjectorArrays& arrays);
   [[nodiscard]] static Result<Projector> create(const ProjectorData& data);
 
-  [[nodiscard]] const ProjectorInfo& info() const;
-  [[nodiscard]] std::size_t nodeCount() const;
+  [[nodiscard]] const ProjectorInfo& info() const noexcept;
+  [[nodiscard]] std::size_t nodeCount() const noexcept;
   /// Tiles on which the forward function turns over (determinant of its Jacobian <= 0 at a centre or corner).
-  [[nodiscard]] std::size_t foldedTileCount() const;
+  [[nodiscard]] std::size_t foldedTileCount() const noexcept;
 
-  [[nodiscard]] Projection slamFromBlueprint(const Pose2& pose_in_blueprint, OutsidePolicy outside) const;
-  [[nodiscard]] Projection blueprintFromSlam(const Pose2& pose_in_slam, OutsidePolicy outside) const;
+  [[nodiscard]] Projection slamFromBlueprint(const Pose2& pose_in_blueprint, OutsidePolicy outside) const noexcept;
+  [[nodiscard]] Projection blueprintFromSlam(const Pose2& pose_in_slam, OutsidePolicy outside) const noexcept;
   /// As above, with the policy the projector was made with.
-  [[nodiscard]] Projection slamFromBlueprint(const Pose2& pose_in_blueprint) const;
-  [[nodiscard]] Projection blueprintFromSlam(const Pose2& pose_in_slam) const;
+  [[nodiscard]] Projection slamFromBlueprint(const Pose2& pose_in_blueprint) const noexcept;
+  [[nodiscard]] Projection blueprintFromSlam(const Pose2& pose_in_slam) const noexcept;
 
   /// `count` poses at once on up to `threads` threads (0: one for each core). `out` may not overlap `in`.
   void slamFromBlueprint(const Pose2* in, Projection* out, std::size_t count, OutsidePolicy outside,
@@ -73,10 +73,10 @@ class Projector {
                          unsigned threads = 1) const;
 
   /// d position_in_slam / d position_in_blueprint at a place of the blueprint [m], extrapolated where it is outside.
-  [[nodiscard]] Eigen::Matrix2d jacobian(const Eigen::Vector2d& point_in_blueprint) const;
+  [[nodiscard]] Eigen::Matrix2d jacobian(const Eigen::Vector2d& point_in_blueprint) const noexcept;
 
   /// Distance [m] from a place of the blueprint to the nearest tile of the mesh; 0 on a tile.
-  [[nodiscard]] double distanceToMesh(const Eigen::Vector2d& point_in_blueprint) const;
+  [[nodiscard]] double distanceToMesh(const Eigen::Vector2d& point_in_blueprint) const noexcept;
 
   /// Middles of all tiles [m] in the blueprint frame, in no particular order.
   [[nodiscard]] std::vector<Eigen::Vector2d> tileMiddles() const;
