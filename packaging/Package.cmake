@@ -43,7 +43,8 @@ cad2slam_package(lib libcad2slam0 libs
 Reads a projector file made by CAD2SLAM and projects poses from the blueprint
 of a building into the SLAM map of a robot and back. Thread-safe, without
 allocation in a query; for C and every language that calls C.")
-set(CPACK_DEBIAN_LIB_PACKAGE_GENERATE_SHLIBS ON)
+set(CPACK_DEBIAN_PACKAGE_GENERATE_SHLIBS ON)
+set(CPACK_DEBIAN_LIB_PACKAGE_CONTROL_EXTRA ${CMAKE_CURRENT_LIST_DIR}/debian/triggers)
 set(CPACK_DEBIAN_PACKAGE_GENERATE_SHLIBS_POLICY ">=")
 
 cad2slam_package(dev libcad2slam-dev libdevel
