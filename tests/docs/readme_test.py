@@ -34,7 +34,7 @@ def without_numbers(text: str) -> str:
 
 
 def main() -> int:
-    root, programs, update = Path(sys.argv[1]), sys.argv[2], "--update" in sys.argv
+    root, programs, update = Path(sys.argv[1]).resolve(), str(Path(sys.argv[2]).resolve()), "--update" in sys.argv
     readme = root / "README.md"
     text = readme.read_text(encoding="utf-8")
     failed = 0

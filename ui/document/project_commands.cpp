@@ -56,14 +56,6 @@ std::string freeName(const Project& project, const std::string& wanted) {
   return name;
 }
 
-bool sameSettings(const SolverSettings& a, const SolverSettings& b) {
-  return a.model == b.model && a.scale.rule == b.scale.rule && a.scale.fixed_scale == b.scale.fixed_scale &&
-         a.lambda_x == b.lambda_x && a.lambda_y == b.lambda_y && a.lambda_theta == b.lambda_theta &&
-         a.lambda_stretch == b.lambda_stretch && a.prior_strength == b.prior_strength &&
-         a.anchor_information == b.anchor_information && a.loss_width_m == b.loss_width_m &&
-         a.max_iterations == b.max_iterations && a.gradient_tolerance == b.gradient_tolerance;
-}
-
 }  // namespace
 
 void setBlueprint(ProjectDocument& document, const ProjectRaster& raster) {
@@ -103,7 +95,7 @@ void flipBlueprint(ProjectDocument& document, const MapFrame& frame) {
 void changeSettings(ProjectDocument& document, const ProjectSettings& settings) {
   DocumentState state = document.state();
   Changes what;
-  if (!sameSettings(state.project.settings, settings.solver) || state.project.cell_size_m != settings.cell_size_m)
+  if (state.project.settings != settings.solver || state.project.cell_size_m != settings.cell_size_m)
     what |= Change::kSettings;
   if (!(state.limits == settings.limits)) what |= Change::kPreferences;
   if (!what) return;

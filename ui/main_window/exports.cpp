@@ -54,27 +54,28 @@ Result<double> readBackDifference(const std::filesystem::path& path, const Proje
 }  // namespace
 
 std::vector<ExportCheck> exportChecks(Session& session) {
-  const auto tr = [](const char* source) { return QCoreApplication::translate("cad2slam::Exports", source); };
   std::vector<ExportCheck> checks;
   const SolveResultPtr& result = session.alignment().result();
   if (!result) {
-    checks.push_back({Verdict::kRefused, tr("There is no alignment yet: place anchors first")});
+    checks.push_back({Verdict::kRefused, Exports::tr("There is no alignment yet: place anchors first")});
     return checks;
   }
   if (!session.alignment().isCurrent()) {
     const bool solving = session.alignment().status() == AlignmentStatus::kSolving;
-    checks.push_back({Verdict::kRefused, solving ? tr("The alignment is still being computed: wait for the green chip")
-                                                 : tr("The last solve failed, so there is nothing current to export")});
+    checks.push_back(
+        {Verdict::kRefused, solving ? Exports::tr("The alignment is still being computed: wait for the green chip")
+                                    : Exports::tr("The last solve failed, so there is nothing current to export")});
     return checks;
   }
   const AlignmentSummary& summary = session.summary();
   if (summary.used < 3) {
-    checks.push_back({Verdict::kWarning, tr("Only %1 anchors are used: the map is not bent to fit; 4 or more are "
-                                            "needed for checked results")
-                                             .arg(summary.used)});
+    checks.push_back(
+        {Verdict::kWarning, Exports::tr("Only %1 anchors are used: the map is not bent to fit; 4 or more are "
+                                        "needed for checked results")
+                                .arg(summary.used)});
   } else {
     checks.push_back({summary.used < kLeaveOneOutFrom ? Verdict::kWarning : Verdict::kGood,
-                      tr("%1 anchors are used, RMS of the residuals %2")
+                      Exports::tr("%1 anchors are used, RMS of the residuals %2")
                           .arg(summary.used)
                           .arg(lengthText(summary.rms_residual_m.value_or(0.0)))});
   }
@@ -82,18 +83,20 @@ std::vector<ExportCheck> exportChecks(Session& session) {
   for (const auto& [id, judgement] : session.judgements())
     if (judgement.judged == AnchorClass::kBad) bad += QString::number(id);
   if (!bad.isEmpty())
-    checks.push_back({Verdict::kWarning, tr("These anchors fit badly: %1").arg(bad.join(QStringLiteral(", ")))});
+    checks.push_back(
+        {Verdict::kWarning, Exports::tr("These anchors fit badly: %1").arg(bad.join(QStringLiteral(", ")))});
   const std::size_t folded = result->projector.foldedTileCount();
   if (folded > 0) {
-    checks.push_back(
-        {Verdict::kWarning, tr("The mesh folds over itself in %1 places: no answer is given there").arg(folded)});
+    checks.push_back({Verdict::kWarning,
+                      Exports::tr("The mesh folds over itself in %1 places: no answer is given there").arg(folded)});
   } else {
-    checks.push_back({Verdict::kGood, tr("The mesh does not fold")});
+    checks.push_back({Verdict::kGood, Exports::tr("The mesh does not fold")});
   }
   if (!result->solution.converged)
-    checks.push_back({Verdict::kWarning, tr("The optimisation stopped before it had converged")});
+    checks.push_back({Verdict::kWarning, Exports::tr("The optimisation stopped before it had converged")});
   if (session.document().pending())
-    checks.push_back({Verdict::kWarning, tr("One half anchor is still waiting for its counterpart and is left out")});
+    checks.push_back(
+        {Verdict::kWarning, Exports::tr("One half anchor is still waiting for its counterpart and is left out")});
   for (const std::string& warning : result->solution.warnings)
     checks.push_back({Verdict::kWarning, toQString(warning)});
   return checks;

@@ -6,15 +6,21 @@
 #include "ui/convert.h"
 #include "ui/document/project_commands.h"
 #include "ui/main_window/anchor_editing.h"
+#include "ui/main_window/diagnosis_messages.h"
 #include "ui/main_window/exports.h"
 #include "ui/main_window/hints.h"
 #include "ui/main_window/menus.h"
+#include "ui/main_window/preview_wiring.h"
+#include "ui/main_window/program_actions.h"
 #include "ui/main_window/project_files.h"
+#include "ui/main_window/recovery.h"
 #include "ui/main_window/view_pair.h"
 #include "ui/models/number_text.h"
 #include "ui/panels/anchor_panel.h"
 #include "ui/panels/message_bar.h"
+#include "ui/panels/preview_panel.h"
 #include "ui/panels/status_strip.h"
+#include "ui/tools/test_poses.h"
 #include "ui/views/map_view.h"
 
 #include <QCloseEvent>
@@ -23,6 +29,7 @@
 #include <QInputDialog>
 #include <QLabel>
 #include <QMenu>
+#include <QSettings>
 #include <QSplitter>
 #include <QStatusBar>
 #include <QTableView>
@@ -63,6 +70,11 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent), actions_(new Acti
   connectFileActions();
   connectViewActions();
   connectSession();
+  connectTestPoses();
+  connectProgramActions(*this);
+  const QSettings settings;
+  restoreGeometry(settings.value(QStringLiteral("window_geometry")).toByteArray());
+  restoreState(settings.value(QStringLiteral("window_state")).toByteArray());
   refreshTitle();
   refreshMapChoice();
   refreshStatus();
@@ -110,17 +122,30 @@ void MainWindow::layOut() {
   anchor_dock_->setObjectName(QStringLiteral("anchorDock"));
   anchor_dock_->setWidget(anchor_panel_);
   addDockWidget(Qt::BottomDockWidgetArea, anchor_dock_);
-  resizeDocks({anchor_dock_}, {250}, Qt::Vertical);
+  preview_ = new PreviewPanel;
+  preview_wiring_ = new PreviewWiring(session_, *preview_, this);
+  preview_dock_ = new QDockWidget(tr("Preview"), this);
+  preview_dock_->setObjectName(QStringLiteral("previewDock"));
+  preview_dock_->setWidget(preview_);
+  addDockWidget(Qt::BottomDockWidgetArea, preview_dock_);
+  splitDockWidget(anchor_dock_, preview_dock_, Qt::Horizontal);
+  resizeDocks({anchor_dock_, preview_dock_}, {300, 300}, Qt::Vertical);
+  resizeDocks({anchor_dock_, preview_dock_}, {720, 640}, Qt::Horizontal);
 
   const Menus menus = buildMenus(*this, *actions_);
   buildToolBar(*this, *actions_);
   menus.docks->addAction(anchor_dock_->toggleViewAction());
+  menus.docks->addAction(preview_dock_->toggleViewAction());
   status_ = std::make_unique<StatusStrip>(*statusBar());
 
   views_ = new ViewPair(session_, *blueprint_view_, *slam_view_, this);
   anchor_editing_ = new AnchorEditing(session_, *actions_, *views_, *anchor_panel_, *messages_, *this);
   files_ = new ProjectFiles(session_, *messages_, *this, *menus.recent);
   exports_ = new Exports(session_, *messages_, *this);
+  diagnosis_ = new DiagnosisMessages(session_, *views_, *messages_, this);
+  recovery_ = new Recovery(
+      session_, *messages_, [this] { return files_->mayClose(); }, this);
+  test_poses_ = new TestPoses(session_, this);
   QMenu* maps = menus.slam_maps;
   connect(maps, &QMenu::aboutToShow, this, [this, maps] {
     maps->clear();
@@ -171,6 +196,16 @@ void MainWindow::connectViewActions() {
   on(kRotateReset, [this] { views_->activeView().setRotation(0.0); });
   on(kOtherFollows, [this] { views_->follow(views_->activeSide()); });
   on(kFollowOther, [this] { views_->follow(otherSide(views_->activeSide())); });
+  on(kPreviewMode, [this] {
+    preview_dock_->show();
+    preview_->nextMode();
+  });
+  on(kLessOpaque, [this] { preview_->changeOpacity(-0.1); });
+  on(kMoreOpaque, [this] { preview_->changeOpacity(0.1); });
+  on(kSwapDirection, [this] { preview_->swapDirection(); });
+  connect(preview_wiring_, &PreviewWiring::failed, this, [this](const QString& sentence) {
+    messages_->show({QStringLiteral("preview"), Severity::kWarning, sentence, {}, 8000});
+  });
   on(kNextPart, [this] { goToNextPart(); });
   on(kSolveAgain, [this] { session_.alignment().solveNow(); });
   on(kCancelSolve, [this] { session_.alignment().cancel(); });
@@ -250,6 +285,30 @@ void MainWindow::connectSession() {
   connect(&session_.flow(), &PlaceAnchorFlow::completed, this, [this](AnchorId id) { session_.selection().set({id}); });
 }
 
+void MainWindow::connectTestPoses() {
+  const auto show = [this] {
+    for (const Side side : {Side::kBlueprint, Side::kSlam}) {
+      view(side).setPoses(test_poses_->glyphs(side));
+      view(side).setPaths(test_poses_->paths(side));
+    }
+    if (test_poses_->isRobotVisible()) status_->setReadout(test_poses_->sentence());
+  };
+  connect(test_poses_, &TestPoses::changed, this, show);
+  connect(test_poses_, &TestPoses::planningFailed, this, [this](const QString& sentence) {
+    messages_->show({QStringLiteral("plan"), Severity::kWarning, sentence, {}, 6000});
+  });
+  connect(views_, &ViewPair::poseDragged, test_poses_, &TestPoses::drag);
+  connect(views_, &ViewPair::poseTurned, test_poses_, &TestPoses::turn);
+  const auto middle = [this] { return blueprint_view_->viewState().center_m; };
+  connect((*actions_)[kTestPose], &QAction::toggled, this,
+          [this, middle](bool on_now) { test_poses_->setRobotVisible(on_now, middle()); });
+  connect((*actions_)[kPlanPath], &QAction::toggled, this, [this, middle](bool on_now) {
+    if (on_now) (*actions_)[kTestPose]->setChecked(true);
+    test_poses_->setPathVisible(on_now, middle());
+  });
+  connect((*actions_)[kLoadPoses], &QAction::triggered, this, [this] { askPoses(*this); });
+}
+
 void MainWindow::refreshTitle() {
   const std::filesystem::path& path = session_.document().path();
   setWindowTitle((path.empty() ? tr("New project") : toQString(path.filename())) + QStringLiteral("[*] – CAD2SLAM"));
@@ -277,7 +336,7 @@ void MainWindow::refreshStatus() {
 void MainWindow::refreshTable() {
   const bool stale = !session_.alignment().isCurrent();
   anchor_panel_->model().setJudgements(session_.judgements(), stale);
-  anchor_panel_->setSummary(session_.summary(), std::nullopt, stale);
+  anchor_panel_->setSummary(session_.summary(), stale);
 }
 
 void MainWindow::refreshMapChoice() {
@@ -300,7 +359,7 @@ void MainWindow::rotateActiveView(double by_rad) {
 }
 
 void MainWindow::goToNextPart() {
-  QWidget* const parts[] = {blueprint_view_, slam_view_, anchor_panel_->table()};
+  QWidget* const parts[] = {blueprint_view_, slam_view_, anchor_panel_->table(), &preview_->view()};
   std::size_t next = 0;
   for (std::size_t i = 0; i < std::size(parts); ++i)
     if (parts[i]->hasFocus()) next = (i + 1) % std::size(parts);
@@ -335,6 +394,10 @@ void MainWindow::restoreViewState() {
 
 void MainWindow::closeEvent(QCloseEvent* event) {
   if (files_->mayClose()) {
+    recovery_->autosave().clear();
+    QSettings settings;
+    settings.setValue(QStringLiteral("window_geometry"), saveGeometry());
+    settings.setValue(QStringLiteral("window_state"), saveState());
     event->accept();
   } else {
     event->ignore();

@@ -16,11 +16,16 @@ namespace cad2slam {
 
 class AnchorEditing;
 class AnchorPanel;
+class DiagnosisMessages;
 class Exports;
 class MapView;
 class MessageBar;
+class PreviewPanel;
+class PreviewWiring;
 class ProjectFiles;
+class Recovery;
 class StatusStrip;
+class TestPoses;
 class ViewPair;
 
 /// The window: puts the parts together and connects them. What the parts do is theirs.
@@ -36,7 +41,11 @@ class MainWindow : public QMainWindow {
   [[nodiscard]] ViewPair& views() { return *views_; }
   [[nodiscard]] MapView& view(Side side);
   [[nodiscard]] AnchorPanel& anchorPanel() { return *anchor_panel_; }
+  [[nodiscard]] PreviewPanel& preview() { return *preview_; }
   [[nodiscard]] MessageBar& messages() { return *messages_; }
+  [[nodiscard]] DiagnosisMessages& diagnosis() { return *diagnosis_; }
+  [[nodiscard]] Recovery& recovery() { return *recovery_; }
+  [[nodiscard]] TestPoses& testPoses() { return *test_poses_; }
   [[nodiscard]] StatusStrip& status() { return *status_; }
   [[nodiscard]] ProjectFiles& files() { return *files_; }
   [[nodiscard]] Exports& exports() { return *exports_; }
@@ -49,6 +58,7 @@ class MainWindow : public QMainWindow {
   void connectFileActions();
   void connectViewActions();
   void connectSession();
+  void connectTestPoses();
   void refreshTitle();
   void refreshActions();
   void refreshStatus();
@@ -70,9 +80,15 @@ class MainWindow : public QMainWindow {
   MessageBar* messages_;
   QComboBox* map_choice_;
   QDockWidget* anchor_dock_;
+  PreviewPanel* preview_;
+  PreviewWiring* preview_wiring_;
+  QDockWidget* preview_dock_;
   std::unique_ptr<StatusStrip> status_;
   ProjectFiles* files_ = nullptr;
   Exports* exports_ = nullptr;
+  DiagnosisMessages* diagnosis_ = nullptr;
+  Recovery* recovery_ = nullptr;
+  TestPoses* test_poses_ = nullptr;
   bool views_restored_ = false;
 };
 

@@ -200,7 +200,7 @@ void PreviewWiring::refreshOverlays() {
   view.setResiduals(std::move(residuals), kMagnification);
   if (result && panel_.mode() == PreviewMode::kMesh) {
     const auto mesh = side == Side::kBlueprint ? meshInBlueprint(*result) : meshInSlam(*result);
-    view.setFullColorStrain(mesh->full_color_strain);
+    view.setFullColorStrain(fullColorStrain(*mesh));
     view.setMesh(mesh);
   } else {
     view.setMesh(nullptr);

@@ -2,16 +2,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "ui/main_window/session.h"
+#include "ui/panels/preview_panel.h"
+#include "ui/services/preview_service.h"
+
 #include <QObject>
 #include <QPointer>
 
 #include <map>
 #include <memory>
 #include <string>
-
-#include "ui/main_window/session.h"
-#include "ui/panels/preview_panel.h"
-#include "ui/services/preview_service.h"
 
 namespace cad2slam {
 

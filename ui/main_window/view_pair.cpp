@@ -287,6 +287,11 @@ void ViewPair::centerOn(AnchorId id) {
   slam_.centerOn(toQPointF(anchor->in_slam), true);
 }
 
+void ViewPair::centerOnPlace(Side side, const QPointF& point_m) {
+  view(side).centerOn(point_m, true);
+  if (const auto there = session_.carry(side, point_m)) view(otherSide(side)).centerOn(there->point_m, true);
+}
+
 void ViewPair::setLinked(bool linked) {
   if (linked == linked_) return;
   linked_ = linked;

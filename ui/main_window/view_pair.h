@@ -31,6 +31,7 @@ class ViewPair : public QObject {
   void follow(Side leader);
   /// Shows an anchor in the middle of both views, at the zoom they have.
   void centerOn(AnchorId id);
+  void centerOnPlace(Side side, const QPointF& point_m);
   void setMagnification(double factor);
   [[nodiscard]] double magnification() const { return magnification_; }
   void setResidualsVisible(bool visible);

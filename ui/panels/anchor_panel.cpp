@@ -85,8 +85,6 @@ AnchorPanel::AnchorPanel(ProjectDocument& document, AnchorSelection& selection, 
   leave_one_out_ = footerLabel(
       footer, QStringLiteral("footerLeaveOneOut"),
       tr("Middle of what each anchor would be missed by without itself: an honest guess of the error elsewhere"));
-  wall_match_ = footerLabel(footer, QStringLiteral("footerWallMatch"),
-                            tr("Share of the walls of the SLAM map that lie within 10 cm of a wall of the blueprint"));
   footer->addStretch(1);
 
   auto* layout = new QVBoxLayout(this);
@@ -106,7 +104,7 @@ AnchorPanel::AnchorPanel(ProjectDocument& document, AnchorSelection& selection, 
   });
   connect(table_, &QTableView::doubleClicked, this,
           [this](const QModelIndex& index) { emit jumpRequested(model_.idOfRow(sorted_.mapToSource(index).row())); });
-  setSummary({}, std::nullopt, false);
+  setSummary({}, false);
 }
 
 void AnchorPanel::takeSelection() {
@@ -144,7 +142,7 @@ void AnchorPanel::showSelection() {
   syncing_ = false;
 }
 
-void AnchorPanel::setSummary(const AlignmentSummary& summary, std::optional<double> wall_match, bool stale) {
+void AnchorPanel::setSummary(const AlignmentSummary& summary, bool stale) {
   const auto length = [](const std::optional<double>& value) {
     return value ? lengthText(*value) : QStringLiteral("–");
   };
@@ -152,9 +150,7 @@ void AnchorPanel::setSummary(const AlignmentSummary& summary, std::optional<doub
   rms_->setText(tr("RMS %1").arg(length(summary.rms_residual_m)));
   max_->setText(tr("Largest %1").arg(length(summary.max_residual_m)));
   leave_one_out_->setText(tr("Without-it median %1").arg(length(summary.median_leave_one_out_m)));
-  wall_match_->setVisible(wall_match.has_value());
-  if (wall_match) wall_match_->setText(tr("Walls matched %1 %").arg(numberText(100.0 * *wall_match, 0)));
-  for (QLabel* label : {rms_, max_, leave_one_out_, wall_match_}) label->setEnabled(!stale);
+  for (QLabel* label : {rms_, max_, leave_one_out_}) label->setEnabled(!stale);
 }
 
 std::optional<AnchorId> AnchorPanel::nextByError(std::optional<AnchorId> after, bool forward) const {

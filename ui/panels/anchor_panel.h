@@ -29,7 +29,7 @@ class AnchorPanel : public QWidget {
   [[nodiscard]] AnchorTableModel& model() { return model_; }
   [[nodiscard]] QTableView* table() const { return table_; }
 
-  void setSummary(const AlignmentSummary& summary, std::optional<double> wall_match, bool stale);
+  void setSummary(const AlignmentSummary& summary, bool stale);
   /// The anchor after or before this one when sorted by error, worst first; empty where there are none.
   [[nodiscard]] std::optional<AnchorId> nextByError(std::optional<AnchorId> after, bool forward) const;
 
@@ -55,7 +55,6 @@ class AnchorPanel : public QWidget {
   QLabel* rms_;
   QLabel* max_;
   QLabel* leave_one_out_;
-  QLabel* wall_match_;
   bool syncing_ = false;
 };
 

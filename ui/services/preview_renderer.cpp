@@ -162,23 +162,44 @@ Result<QImage> drawWarped(const PreviewScene& scene, const MapFrame& view) {
   return toImage(picture, QImage::Format_ARGB32_Premultiplied);
 }
 
-/// How much ink a grey value takes: none for paper and for unknown places of a SLAM map, all for black.
-std::array<float, 256> inkAmounts() {
+/// Grey values from which on a raster takes no ink: just below the grey of its unknown or outer ground where it has one
+/// (found as the most frequent mid grey), else near white.
+double paperFrom(TileStore& tiles) {
+  constexpr double kNearWhite = 235.0;
+  constexpr double kLeastPart = 0.06;  // of the raster that must be of one mid grey
+  const int last = tiles.levels() - 1;
+  const cv::Size size = tiles.levelSize(last);
+  const cv::Mat coarse = tiles.region(last, cv::Rect(cv::Point(0, 0), size), kPaper);
+  if (coarse.empty()) return kNearWhite;
+  std::array<int, 256> counts{};
+  const cv::Mat grey = greyOf(coarse);
+  for (int row = 0; row < grey.rows; ++row) {
+    for (int column = 0; column < grey.cols; ++column) ++counts[grey.at<uchar>(row, column)];
+  }
+  const auto most = std::max_element(counts.begin() + 60, counts.begin() + 245);
+  if (*most < kLeastPart * static_cast<double>(grey.total())) return kNearWhite;
+  return static_cast<double>(most - counts.begin()) - 10.0;
+}
+
+/// Part of the full ink that each grey value takes: none for paper, all for black.
+std::array<float, 256> inkAmounts(double paper_from) {
+  constexpr double kFullInk = 20.0;
   std::array<float, 256> amounts{};
   for (std::size_t grey = 0; grey < amounts.size(); ++grey) {
-    amounts[grey] = static_cast<float>(std::clamp((195.0 - static_cast<double>(grey)) / 175.0, 0.0, 1.0));
+    const double amount = (paper_from - static_cast<double>(grey)) / (paper_from - kFullInk);
+    amounts[grey] = static_cast<float>(std::clamp(amount, 0.0, 1.0));
   }
   return amounts;
 }
 
 /// Lays one ink over the paper, multiplying, so that several make a dark place where they meet.
-void layInk(cv::Mat& paper, const cv::Mat& grey, const cv::Mat& coverage, const QColor& ink) {
-  static const std::array<float, 256> kAmounts = inkAmounts();
+void layInk(cv::Mat& paper, const cv::Mat& grey, const cv::Mat& coverage, const QColor& ink, double paper_from) {
+  const std::array<float, 256> amounts = inkAmounts(paper_from);
   std::array<cv::Vec3b, 256> factors;
   const std::array<int, 3> color{ink.blue(), ink.green(), ink.red()};
   for (std::size_t value = 0; value < factors.size(); ++value) {
     for (int c = 0; c < 3; ++c) {
-      const double kept = 255.0 - static_cast<double>(kAmounts[value]) * (255 - color[static_cast<std::size_t>(c)]);
+      const double kept = 255.0 - static_cast<double>(amounts[value]) * (255 - color[static_cast<std::size_t>(c)]);
       factors[value][c] = static_cast<uchar>(std::lround(kept));
     }
   }
@@ -199,7 +220,7 @@ void layInk(cv::Mat& paper, const cv::Mat& grey, const cv::Mat& coverage, const 
 
 Result<QImage> drawInks(const PreviewScene& scene, const MapFrame& view) {
   cv::Mat paper(view.height(), view.width(), CV_8UC4, cv::Scalar::all(255));
-  layInk(paper, drawBase(scene.base, view), cv::Mat(), scene.base_ink);
+  layInk(paper, drawBase(scene.base, view), cv::Mat(), scene.base_ink, paperFrom(*scene.base.tiles));
   for (const PreviewLayer& layer : scene.layers) {
     if (!layer.raster.isUsable()) continue;
     Result<cv::Mat> drawn = drawLayer(layer, scene.direction, view);
@@ -209,7 +230,7 @@ Result<QImage> drawInks(const PreviewScene& scene, const MapFrame& view) {
     cv::Mat coverage;
     cv::extractChannel(*drawn, grey, 0);
     cv::extractChannel(*drawn, coverage, 1);
-    layInk(paper, grey, coverage, layer.ink);
+    layInk(paper, grey, coverage, layer.ink, paperFrom(*layer.raster.tiles));
   }
   return toImage(paper, QImage::Format_RGB32);
 }
@@ -269,40 +290,86 @@ class HeatScale {
   double full_ = 0.01;
 };
 
+/// Blueprint places [m] of a lattice over a view, with a step of kHeatStep_px from the middle of its first pixel on;
+/// NaN where the projector has no answer. CV_64FC2.
+cv::Mat placesInBlueprint(const PreviewScene& scene, const MapFrame& view) {
+  const Projector& projector = scene.layers.front().projector;
+  cv::Mat places((view.height() - 1) / kHeatStep_px + 2, (view.width() - 1) / kHeatStep_px + 2, CV_64FC2);
+  cv::parallel_for_(cv::Range(0, places.rows), [&](const cv::Range& range) {
+    for (int row = range.start; row < range.end; ++row) {
+      for (int column = 0; column < places.cols; ++column) {
+        Vector2d place = view.metricFromPixel({column * kHeatStep_px + 0.5, row * kHeatStep_px + 0.5});
+        if (scene.direction == WarpDirection::kToSlam) {
+          place = projector.blueprintFromSlam({place, 0.0}, OutsidePolicy::kRigid).pose.translation;
+        }
+        places.at<cv::Vec2d>(row, column) = cv::Vec2d(place.x(), place.y());
+      }
+    }
+  });
+  return places;
+}
+
 QImage drawHeat(const PreviewScene& scene, PreviewKind kind, const MapFrame& view, double* full_color) {
   const Projector& projector = scene.layers.front().projector;
   const HeatScale scale(projector, kind);
   *full_color = scale.full();
-  cv::Mat coarse((view.height() + kHeatStep_px - 1) / kHeatStep_px + 1,
-                 (view.width() + kHeatStep_px - 1) / kHeatStep_px + 1, CV_8UC4, cv::Scalar());
-  cv::parallel_for_(cv::Range(0, coarse.rows), [&](const cv::Range& range) {
+  const cv::Mat places = placesInBlueprint(scene, view);
+  cv::Mat colors(places.size(), CV_8UC3, cv::Scalar());  // black where folded or unknown
+  cv::parallel_for_(cv::Range(0, places.rows), [&](const cv::Range& range) {
     for (int row = range.start; row < range.end; ++row) {
-      for (int column = 0; column < coarse.cols; ++column) {
-        Vector2d place = view.metricFromPixel({column * kHeatStep_px + 0.5, row * kHeatStep_px + 0.5});
-        const Pose2 pose{place, 0.0};
-        if (scene.direction == WarpDirection::kToSlam) {
-          const Projection back = projector.blueprintFromSlam(pose, OutsidePolicy::kError);
-          if (back.status == ProjectionStatus::kFolded) {
-            coarse.at<cv::Vec4b>(row, column) = cv::Vec4b(0, 0, 0, 255);
-            continue;
-          }
-          if (!back.ok()) continue;
-          place = back.pose.translation;
-        } else if (projector.distanceToMesh(place) > 0.0) {
-          continue;
-        }
-        const double value = scale.at(projector.jacobian(place));
-        const QColor color = std::isnan(value) ? QColor(0, 0, 0) : strainColor(value, scale.full());
-        coarse.at<cv::Vec4b>(row, column) = cv::Vec4b(
-            static_cast<uchar>(color.blue()), static_cast<uchar>(color.green()), static_cast<uchar>(color.red()), 255);
+      for (int column = 0; column < places.cols; ++column) {
+        const cv::Vec2d place = places.at<cv::Vec2d>(row, column);
+        if (std::isnan(place[0])) continue;
+        const double value = scale.at(projector.jacobian({place[0], place[1]}));
+        if (std::isnan(value)) continue;
+        const QColor color = strainColor(value, scale.full());
+        colors.at<cv::Vec3b>(row, column) = cv::Vec3b(
+            static_cast<uchar>(color.blue()), static_cast<uchar>(color.green()), static_cast<uchar>(color.red()));
       }
     }
   });
-  cv::Mat fine;
-  cv::resize(coarse, fine, cv::Size(), kHeatStep_px, kHeatStep_px, cv::INTER_LINEAR);  // weighted: premultiplied
-  // resize() aligns outer edges; the samples lie at the middle of the first pixel of each step.
-  const cv::Rect seen(kHeatStep_px / 2 - 1, kHeatStep_px / 2 - 1, view.width(), view.height());
-  return toImage(fine(seen & cv::Rect(0, 0, fine.cols, fine.rows)), QImage::Format_ARGB32_Premultiplied);
+  // The field is smooth and drawn from the lattice; the outline of the mesh is not, and is looked up pixel by pixel.
+  QImage image(view.width(), view.height(), QImage::Format_ARGB32_Premultiplied);
+  cv::Mat picture(image.height(), image.width(), CV_8UC4, image.bits(), static_cast<std::size_t>(image.bytesPerLine()));
+  cv::parallel_for_(cv::Range(0, places.rows - 1), [&](const cv::Range& range) {
+    for (int block_row = range.start; block_row < range.end; ++block_row) {
+      for (int block_column = 0; block_column + 1 < places.cols; ++block_column) {
+        const auto corner = [&](int down, int across) {
+          return places.at<cv::Vec2d>(block_row + down, block_column + across);
+        };
+        const auto color = [&](int down, int across) {
+          return cv::Vec3d(colors.at<cv::Vec3b>(block_row + down, block_column + across));
+        };
+        // Far from the mesh nothing is drawn.
+        const cv::Vec2d middle = 0.25 * (corner(0, 0) + corner(0, 1) + corner(1, 0) + corner(1, 1));
+        const double reach = cv::norm(corner(1, 1) - corner(0, 0)) + cv::norm(corner(1, 0) - corner(0, 1));
+        const cv::Rect block =
+            cv::Rect(block_column * kHeatStep_px, block_row * kHeatStep_px, kHeatStep_px, kHeatStep_px) &
+            cv::Rect(0, 0, picture.cols, picture.rows);
+        if (!(projector.distanceToMesh({middle[0], middle[1]}) <= reach)) {
+          picture(block).setTo(cv::Scalar());
+          continue;
+        }
+        for (int row = block.y; row < block.br().y; ++row) {
+          const double v = static_cast<double>(row - block.y) / kHeatStep_px;
+          for (int column = block.x; column < block.br().x; ++column) {
+            const double u = static_cast<double>(column - block.x) / kHeatStep_px;
+            const auto mixed = [&](const auto& of) {
+              return (1 - v) * ((1 - u) * of(0, 0) + u * of(0, 1)) + v * ((1 - u) * of(1, 0) + u * of(1, 1));
+            };
+            const cv::Vec2d place = mixed(corner);
+            const bool inside = projector.distanceToMesh({place[0], place[1]}) <= 0.0;  // false for NaN
+            const cv::Vec3d shade = inside ? mixed(color) : cv::Vec3d();
+            picture.at<cv::Vec4b>(row, column) =
+                inside ? cv::Vec4b(static_cast<uchar>(shade[0]), static_cast<uchar>(shade[1]),
+                                   static_cast<uchar>(shade[2]), 255)
+                       : cv::Vec4b();
+          }
+        }
+      }
+    }
+  });
+  return image;
 }
 
 }  // namespace

@@ -21,6 +21,8 @@ constexpr int kNoticeInterval_ms = 30;
 constexpr qint64 kSpan_ns = 14'000'000;
 constexpr qint64 kSpanBudget_ns = 3'000'000;
 constexpr std::size_t kMostWanted = 1024;
+constexpr int kRowsAtOnce = 64;
+constexpr int kAlwaysAtHand = 2;  // coarsest levels, a handful of tiles: something can be drawn at any time
 
 bool hasColor(const cv::Mat& pixels) {
   for (int row = 0; row < pixels.rows; ++row) {
@@ -103,7 +105,7 @@ TilePyramid::Cut TilePyramid::cut(const std::filesystem::path& image, bool mirro
   bool announced = false;
   int last_percent = 0;
   for (int rows_done = 0; !stop_;) {
-    Result<cv::Mat> strip = (*reader)->read(kTileSize);
+    Result<cv::Mat> strip = (*reader)->read(kRowsAtOnce);
     if (!strip) return failWith(strip.error());
     if (strip->empty()) break;
     cv::Mat rows = std::move(*strip);
@@ -193,7 +195,7 @@ QImage TilePyramid::tile(const TileKey& key) {
     spent_since_.restart();
     spent_ns_ = 0;
   }
-  if (spent_ns_ < kSpanBudget_ns) {
+  if (spent_ns_ < kSpanBudget_ns || key.level + kAlwaysAtHand >= levelCount()) {
     const qint64 start = spent_since_.nsecsElapsed();
     const cv::Mat unpacked = store_->get(key);
     spent_ns_ += spent_since_.nsecsElapsed() - start;

@@ -10,6 +10,8 @@
 #include <QPixmapCache>
 #include <QSvgRenderer>
 
+#include <algorithm>
+
 static void initIconResources() {  // a library's resources are not found by themselves; must lie outside a namespace
   Q_INIT_RESOURCE(icons);
 }
@@ -48,7 +50,8 @@ class RecoloredSvg : public QIconEngine {
     QSvgRenderer renderer(colored);
     painter->save();
     painter->setRenderHint(QPainter::Antialiasing);
-    if (mode == QIcon::Disabled) painter->setOpacity(painter->opacity() * 0.6);  // fixed colours fade as well
+    // Fixed colours have no disabled shade of their own.
+    if (mode == QIcon::Disabled && drawing_.contains("=\"#")) painter->setOpacity(painter->opacity() * 0.5);
     const int side = std::min(rect.width(), rect.height());
     QRect square(0, 0, side, side);
     square.moveCenter(rect.center());

@@ -81,7 +81,7 @@ struct MeshOverlay {
   std::vector<Edge> edges;
   std::vector<float> strain;         ///< one for each edge: length over rest length minus one; empty draws one colour
   std::vector<std::uint32_t> folds;  ///< nodes whose tile is folded
-  double full_color_strain = 0.05;   ///< strain drawn in the strongest colour
+  double full_color_strain = 0.0;    ///< strain drawn in the strongest colour; 0 fits it to what the mesh has
 };
 
 }  // namespace cad2slam

@@ -54,7 +54,7 @@ QPen solidPen(const QColor& color, double width) {
 }
 
 void paintMarkerShape(QPainter& painter, const Marker& marker, bool enlarged) {
-  const double size = enlarged ? 9.5 : 7.0;
+  const double size = (marker.judged == MarkerClass::kPending ? 2.0 : 0.0) + (enlarged ? 10.0 : 7.5);
   const QColor color = colorOf(marker.judged);
   const QPainterPath shape = shapeOf(marker.judged, size);
   const bool hollow = marker.judged == MarkerClass::kPending || marker.judged == MarkerClass::kDisabled;
@@ -65,7 +65,7 @@ void paintMarkerShape(QPainter& painter, const Marker& marker, bool enlarged) {
   if (marker.judged == MarkerClass::kPending) {
     pen.setWidthF(2.4);
     pen.setCapStyle(Qt::FlatCap);
-    pen.setDashPattern({1.6, 1.1});
+    pen.setDashPattern({2.2, 1.6});
   }
   strokeEdged(painter, shape, pen);
   QPainterPath dot;
@@ -257,7 +257,9 @@ void MarkerPainter::paintPose(QPainter& painter, const PoseGlyph& pose, const QP
     painter.fillPath(handle, Qt::white);
   }
   painter.restore();
-  paintText(painter, at + QPointF(radius + 4.0, -radius - 4.0), pose.text, pose.color);
+  // On the side that the heading leaves free.
+  const double below = std::sin(heading_on_screen_rad) > 0.0 ? -1.0 : 1.0;
+  paintText(painter, at + QPointF(-radius, below * (radius + 13.0)), pose.text, pose.color);
 }
 
 void MarkerPainter::paintPath(QPainter& painter, const PathGlyph& path, const QTransform& widget_from_metres) {

@@ -17,13 +17,25 @@ constexpr double kMargin = 0.15;          // of the view, on each side
 constexpr double kShortestEdge_px = 2.0;  // below, an edge is a dot
 constexpr std::size_t kSmoothEdges = 30'000;
 
+/// Whether a picture shows all of a view at its zoom: panning within the margin needs no new one.
+bool covers(const MeshLayer::Request& made, const MeshLayer::Request& wanted, const QSize& view) {
+  if (made.mesh != wanted.mesh || made.ratio != wanted.ratio || made.state.m_per_px != wanted.state.m_per_px ||
+      made.state.rotation_rad != wanted.state.rotation_rad) {
+    return false;
+  }
+  const QPointF shift = made.state.widgetFromMetres(made.size).map(wanted.state.center_m) -
+                        QPointF(made.size.width() / 2.0, made.size.height() / 2.0);
+  return std::abs(shift.x()) <= (made.size.width() - view.width()) / 2.0 &&
+         std::abs(shift.y()) <= (made.size.height() - view.height()) / 2.0;
+}
+
 bool sameRequest(const MeshLayer::Request& a, const MeshLayer::Request& b) {
   return a.mesh == b.mesh && a.state == b.state && a.size == b.size && a.ratio == b.ratio;
 }
 
-int colorIndex(const MeshOverlay& mesh, std::size_t edge) {
+int colorIndex(const MeshOverlay& mesh, std::size_t edge, double full_strain) {
   if (mesh.strain.size() != mesh.edges.size()) return kColors / 2;
-  const double part = mesh.strain[edge] / std::max(1e-6, mesh.full_color_strain);
+  const double part = mesh.strain[edge] / full_strain;
   if (!std::isfinite(part)) return kColors - 1;
   return static_cast<int>(std::lround((std::clamp(part, -1.0, 1.0) + 1.0) / 2.0 * (kColors - 1)));
 }
@@ -58,6 +70,22 @@ QColor strainColor(double strain, double full_color_strain) {
   return QColor(mix(0), mix(1), mix(2));
 }
 
+double fullColorStrain(const MeshOverlay& mesh) {
+  if (mesh.full_color_strain > 0.0) return mesh.full_color_strain;
+  std::vector<float> sizes;
+  for (const float strain : mesh.strain) {
+    if (std::isfinite(strain)) sizes.push_back(std::abs(strain));
+  }
+  constexpr double kLeast = 0.01;
+  if (sizes.empty()) return kLeast;
+  const auto high = sizes.begin() + static_cast<std::ptrdiff_t>(0.95 * static_cast<double>(sizes.size() - 1));
+  std::nth_element(sizes.begin(), high, sizes.end());
+  for (const double full : {kLeast, 0.02, 0.05, 0.1, 0.2}) {
+    if (*high <= full) return full;
+  }
+  return 0.5;
+}
+
 MeshLayer::MeshLayer(std::function<void()> repaint)
     : repaint_(std::move(repaint)), job_(&MeshLayer::draw, [this](const Picture& picture) {
         picture_ = picture;
@@ -83,6 +111,7 @@ MeshLayer::Picture MeshLayer::draw(const Request& request) {
   const QRectF area = QRectF(QPointF(0, 0), QSizeF(request.size)).adjusted(-2, -2, 2, 2);
   std::array<std::vector<QLineF>, kColors> lines;
   std::size_t count = 0;
+  const double full_strain = fullColorStrain(mesh);
   double length_sum = 0.0;
   for (std::size_t i = 0; i < mesh.edges.size(); ++i) {
     const MeshOverlay::Edge& edge = mesh.edges[i];
@@ -94,7 +123,7 @@ MeshLayer::Picture MeshLayer::draw(const Request& request) {
     }
     const double length = line.length();
     if (!std::isfinite(length) || length > 1e5) continue;
-    lines[static_cast<std::size_t>(colorIndex(mesh, i))].push_back(line);
+    lines[static_cast<std::size_t>(colorIndex(mesh, i, full_strain))].push_back(line);
     length_sum += length;
     ++count;
   }
@@ -132,7 +161,7 @@ void MeshLayer::paint(QPainter& painter, const ViewState& state, const QSize& si
   if (!mesh_ || size.isEmpty()) return;
   const QSize margin(static_cast<int>(size.width() * kMargin), static_cast<int>(size.height() * kMargin));
   Request wanted{mesh_, state, size + 2 * margin, painter.device()->devicePixelRatioF()};
-  if (!sameRequest(wanted, requested_)) {
+  if (!sameRequest(wanted, requested_) && !covers(requested_, wanted, size)) {
     requested_ = wanted;
     job_.request(wanted);
   }

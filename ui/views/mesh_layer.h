@@ -17,6 +17,9 @@ namespace cad2slam {
 /// Colour of a strain: blue where shorter than at rest, grey at rest, orange to red where longer.
 [[nodiscard]] QColor strainColor(double strain, double full_color_strain);
 
+/// The strain that gets the strongest colour: as the mesh says, or a round number that 95 % of its edges stay below.
+[[nodiscard]] double fullColorStrain(const MeshOverlay& mesh);
+
 /// Draws a mesh of any size over a map. The picture is made by a worker for the part in view and a margin; until a new
 /// one is there the last one is drawn where it belongs now, so panning and zooming stay smooth.
 class MeshLayer {

@@ -39,7 +39,9 @@ PreviewView::PreviewView(QWidget* parent) : MapView(parent) {
     blink_shows_other_ = !blink_shows_other_;
     update();
   });
-  connect(this, &MapView::viewStateChanged, this, &PreviewView::pictureWanted);
+  connect(this, &MapView::viewStateChanged, this, [this] {
+    if (!isCovered()) emit pictureWanted();
+  });
 }
 
 void PreviewView::setMode(PreviewMode mode) {
@@ -110,6 +112,19 @@ void PreviewView::setNotCurrent(const QString& reason) {
   if (not_current_ == reason) return;
   not_current_ = reason;
   update();
+}
+
+bool PreviewView::isCovered() const {
+  const ViewState state = viewState();
+  if (picture_.image.isNull() || picture_.state.m_per_px != state.m_per_px ||
+      picture_.state.rotation_rad != state.rotation_rad ||
+      picture_.image.width() < std::lround(picture_.size.width() * devicePixelRatioF())) {
+    return false;
+  }
+  const QPointF shift = picture_.state.widgetFromMetres(picture_.size).map(state.center_m) -
+                        QPointF(picture_.size.width() / 2.0, picture_.size.height() / 2.0);
+  return std::abs(shift.x()) <= (picture_.size.width() - width()) / 2.0 &&
+         std::abs(shift.y()) <= (picture_.size.height() - height()) / 2.0;
 }
 
 void PreviewView::paintPicture(QPainter& painter, double opacity) {

@@ -64,6 +64,7 @@ class PreviewView : public MapView {
     QColor color;
     QString text;
   };
+  [[nodiscard]] bool isCovered() const;
   void paintPicture(QPainter& painter, double opacity);
   void paintLegend(QPainter& painter);
   [[nodiscard]] std::vector<LegendRow> legendRows() const;

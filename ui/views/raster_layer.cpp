@@ -15,14 +15,20 @@ namespace {
 
 constexpr int kTile = RasterSource::kTileSize;
 
+int typeOf(QImage::Format format) {
+  return format == QImage::Format_Grayscale8 ? CV_8UC1 : CV_8UC4;
+}
+int typeOf(const QImage& image) {
+  return typeOf(image.format());
+}
+
 /// The pixels of an image without copying them; 1 channel for Grayscale8, else 4.
 cv::Mat matOf(QImage& image) {
-  const int type = image.format() == QImage::Format_Grayscale8 ? CV_8UC1 : CV_8UC4;
-  return cv::Mat(image.height(), image.width(), type, image.bits(), static_cast<std::size_t>(image.bytesPerLine()));
+  return cv::Mat(image.height(), image.width(), typeOf(image), image.bits(),
+                 static_cast<std::size_t>(image.bytesPerLine()));
 }
 cv::Mat matOf(const QImage& image) {  // OpenCV has no read-only matrix; nobody writes through this one
-  const int type = image.format() == QImage::Format_Grayscale8 ? CV_8UC1 : CV_8UC4;
-  return cv::Mat(image.height(), image.width(), type, const_cast<uchar*>(image.constBits()),
+  return cv::Mat(image.height(), image.width(), typeOf(image), const_cast<uchar*>(image.constBits()),
                  static_cast<std::size_t>(image.bytesPerLine()));
 }
 
@@ -42,7 +48,7 @@ bool isWholeShift(const QTransform& from, const QTransform& to, QPoint* shift) {
 
 void RasterLayer::setSource(std::shared_ptr<RasterSource> source) {
   source_ = std::move(source);
-  patch_ = QImage();
+  patch_ = cv::Mat();
   picture_ = QImage();
   stale_ = true;
 }
@@ -58,11 +64,10 @@ void RasterLayer::fillTile(int column, int row) {
   const QRect level_rect(QPoint(0, 0), source_->levelSize(patch_level_));
   const QRect tile_rect = QRect(column * kTile, row * kTile, kTile, kTile) & level_rect;
   const QPoint offset((column - patch_tiles_.x()) * kTile, (row - patch_tiles_.y()) * kTile);
-  cv::Mat patch = matOf(patch_);
-  cv::Mat target = patch(cv::Rect(offset.x(), offset.y(), tile_rect.width(), tile_rect.height()));
+  cv::Mat target = patch_(cv::Rect(offset.x(), offset.y(), tile_rect.width(), tile_rect.height()));
 
   const QImage exact = source_->tile({patch_level_, column, row});
-  if (!exact.isNull() && exact.format() == patch_.format() && exact.size() == tile_rect.size()) {
+  if (!exact.isNull() && typeOf(exact) == patch_.type() && exact.size() == tile_rect.size()) {
     matOf(exact).copyTo(target);
     return;
   }
@@ -70,7 +75,7 @@ void RasterLayer::fillTile(int column, int row) {
   for (int level = patch_level_ + 1; level < source_->levelCount(); ++level) {
     const int up = level - patch_level_;
     const QImage coarse = source_->tile({level, column >> up, row >> up});
-    if (coarse.isNull() || coarse.format() != patch_.format()) continue;
+    if (coarse.isNull() || typeOf(coarse) != patch_.type()) continue;
     const int x0 = (tile_rect.x() >> up) - ((column >> up) * kTile);
     const int y0 = (tile_rect.y() >> up) - ((row >> up) * kTile);
     const cv::Mat source = matOf(coarse);
@@ -104,17 +109,21 @@ bool RasterLayer::gatherPatch(const QTransform& device_from_image, const QSize& 
   const int bottom = tileOf(visible.bottom(), level_size.height(), 1);
   const QRect tiles(QPoint(left, top), QPoint(right, bottom));
 
-  const bool same =
-      !patch_.isNull() && tiles == patch_tiles_ && level == patch_level_ && patch_.format() == source_->format();
+  const int type = typeOf(source_->format());
+  const bool same = !patch_.empty() && tiles == patch_tiles_ && level == patch_level_ && patch_.type() == type;
   if (same && (patch_complete_ || !stale_)) return true;
   if (!same) {
     const QRect level_rect(QPoint(0, 0), level_size);
     const QRect covered = QRect(left * kTile, top * kTile, tiles.width() * kTile, tiles.height() * kTile) & level_rect;
-    if (patch_.format() != source_->format()) picture_ = QImage();
-    if (patch_.size() != covered.size() || patch_.format() != source_->format()) {
-      patch_ = QImage(covered.size(), source_->format());
-      if (patch_.isNull()) return false;
+    if (!patch_.empty() && patch_.type() != type) picture_ = QImage();  // the raster turned out to have colour
+    if (patch_buffer_.type() != type || patch_buffer_.cols < covered.width() || patch_buffer_.rows < covered.height()) {
+      patch_ = cv::Mat();
+      const int columns = std::max(patch_buffer_.cols, covered.width());
+      const int rows = std::max(patch_buffer_.rows, covered.height());
+      patch_buffer_ = cv::Mat();  // freed before the new one is taken
+      patch_buffer_.create(rows, columns, type);
     }
+    patch_ = patch_buffer_(cv::Rect(0, 0, covered.width(), covered.height()));
     patch_level_ = level;
     patch_tiles_ = tiles;
   }
@@ -142,11 +151,12 @@ void RasterLayer::resample(const QTransform& device_from_image, const QRect& dev
 
   const double pixel_size = 1.0 / std::sqrt(std::abs(x_step.x() * y_step.y() - x_step.y() * y_step.x()));
   const int method = pixel_size >= 2.0 ? cv::INTER_NEAREST : cv::INTER_LINEAR;
-  const cv::Mat patch = matOf(std::as_const(patch_));
+  const cv::Mat& patch = patch_;
   cv::Mat picture = matOf(picture_);
   cv::Mat target = picture(cv::Rect(area.x(), area.y(), area.width(), area.height()));
   if (patch.channels() == 1) {
-    cv::Mat grey;
+    grey_.create(std::max(grey_.rows, target.rows), std::max(grey_.cols, target.cols), CV_8UC1);
+    cv::Mat grey = grey_(cv::Rect(0, 0, target.cols, target.rows));
     cv::warpAffine(patch, grey, affine, target.size(), method | cv::WARP_INVERSE_MAP, cv::BORDER_REPLICATE);
     cv::cvtColor(grey, target, cv::COLOR_GRAY2BGRA);
   } else {

@@ -10,6 +10,8 @@
 
 #include <memory>
 
+#include <opencv2/core/mat.hpp>
+
 #include "ui/views/raster_source.h"
 
 namespace cad2slam {
@@ -38,13 +40,15 @@ class RasterLayer {
   std::shared_ptr<RasterSource> source_;
   bool stale_ = true;
 
-  // The visible tiles of one level side by side.
-  QImage patch_;
+  // The visible tiles of one level side by side, in a buffer that only grows.
+  cv::Mat patch_buffer_;
+  cv::Mat patch_;
   int patch_level_ = 0;
   QRect patch_tiles_;           // columns and rows of tiles
   bool patch_complete_ = true;  // no tile stands in for a missing one
 
   // The last picture, device pixels.
+  cv::Mat grey_;
   QImage picture_;
   QImage shifted_;
   QTransform picture_transform_;

@@ -129,7 +129,10 @@ class PreviewViewTest : public QObject {
     shown.bring();
     QSignalSpy wanted(&shown.view, &PreviewView::pictureWanted);
     ViewState state = shown.view.viewState();
-    state.center_m += QPointF(200.0 * state.m_per_px, 0.0);
+    state.center_m += QPointF(10.0 * state.m_per_px, 0.0);
+    shown.view.setViewState(state);
+    QVERIFY(wanted.isEmpty());  // within the margin
+    state.center_m += QPointF(190.0 * state.m_per_px, 0.0);
     shown.view.setViewState(state);
     QVERIFY(!wanted.isEmpty());
     QCOMPARE(shown.colorAt({420, 90}), QColor(255, 120, 0));  // still covered by the old picture

@@ -267,7 +267,9 @@ class ViewPicturesTest : public QObject {
               picture->seconds * 1e3);
         view.setPicture(*picture);
         const bool with_mesh = view.mode() == PreviewMode::kMesh;
-        view.setMesh(with_mesh ? overlayOf(*site, !blueprint_below) : nullptr);
+        const std::shared_ptr<MeshOverlay> mesh = with_mesh ? overlayOf(*site, !blueprint_below) : nullptr;
+        view.setMesh(mesh);
+        if (mesh) view.setFullColorStrain(fullColorStrain(*mesh));
         view.setMarkers(view.mode() == PreviewMode::kResiduals ? markersOf(*site, !blueprint_below)
                                                                : std::vector<Marker>());
         QTest::mouseMove(&view, QPoint(430 + mode, 300));
