@@ -111,8 +111,7 @@ class MeshSolver::Impl {
  private:
   Result<Solution> solveMesh(const AnchorList& anchors, const SolverSettings& settings, const Similarity2& global_fit,
                              const Solution* warm_start, const IterationCallback& on_iteration);
-  Result<SolverSettings> withChosenStiffness(const AnchorList& anchors, const SolverSettings& settings,
-                                             const IterationCallback& on_iteration);
+  Result<SolverSettings> withChosenStiffness(const AnchorList& anchors, const SolverSettings& settings);
   [[nodiscard]] MinimiserReport minimiseFrom(Eigen::VectorXd& x, const MinimiserOptions& options,
                                              const IterationCallback& on_iteration);
   void store(const Eigen::VectorXd& x, Solution& solution) const;
@@ -143,7 +142,7 @@ Result<Solution> MeshSolver::Impl::solve(const AnchorList& anchors, const Solver
   if (!global_fit) return failAs(global_fit);
   const int places = distinctPlaces(anchors);
   if (places >= 3) {
-    const Result<SolverSettings> chosen = withChosenStiffness(anchors, settings, on_iteration);
+    const Result<SolverSettings> chosen = withChosenStiffness(anchors, settings);
     if (!chosen) return failAs(chosen);
     return solveMesh(anchors, *chosen, *global_fit, warm_start, on_iteration);
   }
@@ -165,8 +164,8 @@ Result<Solution> MeshSolver::Impl::solve(const AnchorList& anchors, const Solver
   return solution;
 }
 
-Result<SolverSettings> MeshSolver::Impl::withChosenStiffness(const AnchorList& anchors, const SolverSettings& settings,
-                                                             const IterationCallback& on_iteration) {
+Result<SolverSettings> MeshSolver::Impl::withChosenStiffness(const AnchorList& anchors,
+                                                             const SolverSettings& settings) {
   if (settings.model != Model::kStretch || settings.stiffness != Stiffness::kAutomatic) {
     return withStiffness(settings, settings.stiffness);
   }
@@ -187,8 +186,7 @@ Result<SolverSettings> MeshSolver::Impl::withChosenStiffness(const AnchorList& a
   for (const Stiffness stiffness : {Stiffness::kBalanced, Stiffness::kSmooth, Stiffness::kLocal}) {
     SolverSettings candidate = withStiffness(settings, stiffness);
     candidate.gradient_tolerance = std::max(candidate.gradient_tolerance, kGoodEnoughToJudge);
-    const Result<Solution> solution = scout_->solve(anchors, candidate, nullptr, on_iteration);
-    if (!solution && solution.error().code == ErrorCode::kCancelled) return failAs(solution);
+    const Result<Solution> solution = scout_->solve(anchors, candidate, nullptr, {});  // too short to be cancelled
     if (!solution) continue;
     const double score = leaveOneOutScore(*solution);
     if (score < best_score) {
@@ -229,7 +227,7 @@ Result<Solution> MeshSolver::Impl::solveMesh(const AnchorList& anchors, const So
   Eigen::VectorXd gradient(at_fit.size());
   solution.initial_cost = gradientAt(objective_, at_fit.data(), gradient.data());
   // Where the similarity is perfect there is no gradient to compare with: then any rounding-sized one is converged.
-  const double smallest_scale = 1e-6 * settings.anchor_information;
+  const double smallest_scale = 1e-2 * settings.anchor_information;
   options.gradient_at_start = std::max(smallest_scale, gradient.lpNorm<Eigen::Infinity>());
 
   x_ = startingPoint(objective_, *mesh_, global_fit, warm_start);
