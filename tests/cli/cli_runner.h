@@ -96,7 +96,7 @@ class OfficeFolder {
  public:
   OfficeFolder() {
     const QDir site(QString(CAD2SLAM_SAMPLE_MAPS) + "/office");
-    for (const QString& name : {"blueprint.yaml", "blueprint.png", "slam_1.yaml", "slam_1.png", "anchors_1.csv"}) {
+    for (const char* name : {"blueprint.yaml", "blueprint.png", "slam_1.yaml", "slam_1.png", "anchors_1.csv"}) {
       QFile::copy(site.filePath(name), folder_.filePath(name));
     }
   }
