@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <CLI/CLI.hpp>
 
+#include <cstdio>
 #include <exception>
 #include <iostream>
 #include <new>
@@ -39,7 +40,8 @@ int runCli(int argc, char** argv) {
     return kFailure;
   }
   std::cout.flush();
-  if (!std::cout) {
+  // Commands print through both; of a write that failed before, only these marks are left.
+  if (!std::cout || std::fflush(stdout) != 0 || std::ferror(stdout) != 0) {
     std::cerr << "cad2slam-cli: the output could not be written\n";
     return kFailure;
   }

@@ -6,6 +6,7 @@
 #include <charconv>
 #include <cmath>
 #include <cstdio>
+#include <filesystem>
 #include <fstream>
 #include <iostream>
 #include <iterator>
@@ -14,6 +15,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <system_error>
 #include <vector>
 
 #include "app/cli_command.h"
@@ -98,7 +100,10 @@ class LineProjector {
     line.reserve(kLongestLine);
     while (readLine(in, line)) {
       ++line_number_;
-      if (line.size() > kLongestLine) return fail(ErrorCode::kMalformed, "the line is too long", place(name));
+      if (line.size() > kLongestLine) {
+        flush();
+        return fail(ErrorCode::kMalformed, "the line is too long", place(name));
+      }
       if (isBlankOrComment(line)) {
         append(line + "\n");
       } else if (line_number_ == 1 && isHeader(line)) {
@@ -175,6 +180,10 @@ Result<void> projectStream(const ProjectOptions& options) {
   LineProjector lines(*projector, options);
   std::ios::sync_with_stdio(false);
   if (options.input == "-") return lines.run(std::cin, "standard input");
+  std::error_code unknown;
+  if (std::filesystem::is_directory(options.input, unknown)) {
+    return fail(ErrorCode::kUnreadable, "is a folder, not a file of poses", options.input);
+  }
   std::ifstream file(options.input, std::ios::binary);
   if (!file) return fail(ErrorCode::kNotFound, "the file cannot be opened", options.input);
   return lines.run(file, options.input);

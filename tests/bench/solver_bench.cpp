@@ -60,12 +60,12 @@ void sizes(benchmark::internal::Benchmark* bench) {
   bench->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime()->UseRealTime();
 }
 
-BENCHMARK_CAPTURE(coldSolve, rigid / direct, Model::kRigid, SolverBackend::kDirect)->Apply(sizes);
-BENCHMARK_CAPTURE(coldSolve, stretch / direct, Model::kStretch, SolverBackend::kDirect)->Apply(sizes);
-BENCHMARK_CAPTURE(warmSolve, rigid / direct, Model::kRigid, SolverBackend::kDirect)->Apply(sizes);
-BENCHMARK_CAPTURE(warmSolve, stretch / direct, Model::kStretch, SolverBackend::kDirect)->Apply(sizes);
-BENCHMARK_CAPTURE(coldSolve, rigid / ceres, Model::kRigid, SolverBackend::kCeres)->Apply(sizes);
-BENCHMARK_CAPTURE(coldSolve, stretch / ceres, Model::kStretch, SolverBackend::kCeres)->Apply(sizes);
+BENCHMARK_CAPTURE(coldSolve, rigid_direct, Model::kRigid, SolverBackend::kDirect)->Apply(sizes);
+BENCHMARK_CAPTURE(coldSolve, stretch_direct, Model::kStretch, SolverBackend::kDirect)->Apply(sizes);
+BENCHMARK_CAPTURE(warmSolve, rigid_direct, Model::kRigid, SolverBackend::kDirect)->Apply(sizes);
+BENCHMARK_CAPTURE(warmSolve, stretch_direct, Model::kStretch, SolverBackend::kDirect)->Apply(sizes);
+BENCHMARK_CAPTURE(coldSolve, rigid_ceres, Model::kRigid, SolverBackend::kCeres)->Apply(sizes);
+BENCHMARK_CAPTURE(coldSolve, stretch_ceres, Model::kStretch, SolverBackend::kCeres)->Apply(sizes);
 
 }  // namespace
 }  // namespace cad2slam::bench

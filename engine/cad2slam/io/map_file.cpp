@@ -159,8 +159,12 @@ Result<void> writeMap(const fs::path& yaml, const std::string& image_name, const
     return fail(ErrorCode::kUnwritable, "the image of a map must be a file name without folders", image.string());
   }
   // The image first: a YAML never names an image that is not there.
+  std::error_code ignored;
+  const bool image_is_new = !fs::exists(image, ignored);
   if (const Result<void> wrote_image = writePicture(image, picture); !wrote_image) return wrote_image;
-  return writeFileAtomically(yaml, formatMapYaml(metadata, image_name));
+  Result<void> wrote_yaml = writeFileAtomically(yaml, formatMapYaml(metadata, image_name));
+  if (!wrote_yaml && image_is_new) fs::remove(image, ignored);
+  return wrote_yaml;
 }
 
 }  // namespace cad2slam

@@ -85,6 +85,7 @@ void MeshSolverDiagnosisTest::leaveOneOutEqualsSolvingWithout() {
   QFETCH(bool, cauchy);
   AnchorList anchors = clickedAnchors(*mesh_, 12, 3);
   SolverSettings settings = defaultSettings(model);
+  if (model == Model::kStretch) settings = withStiffness(settings, Stiffness::kBalanced);
   settings.scale = {ScaleRule::kFixed, 1.01};
   settings.loss_width_m = cauchy ? std::optional(1.0) : std::nullopt;
   MeshSolver solver(mesh_);
@@ -117,7 +118,7 @@ void MeshSolverDiagnosisTest::leaveOneOutIsLargerThanTheResidual() {
 
 void MeshSolverDiagnosisTest::oneGrossOutlierIsFound() {
   AnchorList anchors = clickedAnchors(*mesh_, 30, 7);
-  const SolverSettings settings = defaultSettings(Model::kStretch);
+  const SolverSettings settings = withStiffness(defaultSettings(Model::kStretch), Stiffness::kLocal);
   SolverSettings squared = settings;
   squared.loss_width_m.reset();
   const AnchorList clean(anchors.begin() + 1, anchors.end());
