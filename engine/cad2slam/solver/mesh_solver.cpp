@@ -25,6 +25,10 @@ namespace {
 using Eigen::Matrix2d;
 using Eigen::Vector2d;
 
+constexpr char kOnePlaceWarning[] =
+    "One place is anchored: only the translation is known; add an anchor far away from it.";
+constexpr char kTwoPlacesWarning[] =
+    "Two places are anchored: only rotation and translation are known; a third anchor lets the mesh bend.";
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 class Stopwatch {
@@ -87,7 +91,10 @@ double leaveOneOutScore(const Solution& solution) {
 }
 
 std::string plural(std::size_t count, const std::string& one, const std::string& many) {
-  return std::to_string(count) + " " + (count == 1 ? one : many);
+  std::string text = std::to_string(count);
+  text += ' ';
+  text += count == 1 ? one : many;
+  return text;
 }
 
 }  // namespace
@@ -154,10 +161,7 @@ Result<Solution> MeshSolver::Impl::solve(const AnchorList& anchors, const Solver
     solution.anchors.push_back(fit);
     solution.anchors_used += anchor.enabled ? 1 : 0;
   }
-  solution.warnings.push_back(
-      places == 1
-          ? "One place is anchored: only the translation is known; add an anchor far away from it."
-          : "Two places are anchored: only rotation and translation are known; a third anchor lets the mesh bend.");
+  solution.warnings.emplace_back(places == 1 ? kOnePlaceWarning : kTwoPlacesWarning);
   return solution;
 }
 
