@@ -24,6 +24,11 @@ struct CliRun {
   QString err;
 
   [[nodiscard]] QJsonObject json() const { return QJsonDocument::fromJson(out.toUtf8()).object(); }
+  /// The one sentence of a failure; empty when there is more or less than one line.
+  [[nodiscard]] QString sentence() const {
+    const QStringList all = err.split('\n', Qt::SkipEmptyParts);
+    return all.size() == 1 ? all.first() : QString();
+  }
   [[nodiscard]] QStringList lines() const { return out.split('\n', Qt::SkipEmptyParts); }
   /// What went wrong, without warnings.
   [[nodiscard]] QStringList errors() const {
@@ -79,6 +84,14 @@ inline CliRun runCli(const QString& folder, const QStringList& arguments, const 
   run.out = QString::fromUtf8(process.readAllStandardOutput());
   run.err = QString::fromUtf8(process.readAllStandardError());
   return run;
+}
+
+inline CliRun runCli(const QStringList& arguments) {
+  return runCli(QDir::currentPath(), arguments);
+}
+
+inline QString siteFile(const QString& site, const QString& file) {
+  return QString(CAD2SLAM_SAMPLE_MAPS) + '/' + site + '/' + file;
 }
 
 inline QByteArray bytesOf(const QString& path) {

@@ -18,9 +18,14 @@ Eigen::Vector2d meanSource(const std::vector<PointPair>& pairs) {
   return mean;
 }
 
+bool allFinite(const std::vector<PointPair>& pairs) {
+  return std::all_of(pairs.begin(), pairs.end(),
+                     [](const PointPair& pair) { return pair.source.allFinite() && pair.target.allFinite(); });
+}
+
 /// Whether the sources span the plane.
 bool spansPlane(const std::vector<PointPair>& pairs) {
-  if (pairs.size() < 3) return false;
+  if (pairs.size() < 3 || !allFinite(pairs)) return false;
   const Eigen::Vector2d mean = meanSource(pairs);
   Eigen::Matrix2d scatter = Eigen::Matrix2d::Zero();
   for (const PointPair& pair : pairs) scatter += (pair.source - mean) * (pair.source - mean).transpose();
@@ -32,6 +37,7 @@ double radialBasis(double squared_distance) {
   return squared_distance > 0.0 ? 0.5 * squared_distance * std::log(squared_distance) : 0.0;
 }
 
+/// Finite pairs only: numbers that equal nothing, not even themselves, have no order and belong to no group.
 std::vector<PointPair> mergeSameSources(std::vector<PointPair> pairs) {
   std::sort(pairs.begin(), pairs.end(), [](const PointPair& a, const PointPair& b) {
     return a.source.x() != b.source.x() ? a.source.x() < b.source.x() : a.source.y() < b.source.y();
@@ -70,10 +76,10 @@ Result<Affine2> fitAffine(const std::vector<PointPair>& pairs) {
 }
 
 Result<ThinPlateSpline> ThinPlateSpline::fit(const std::vector<PointPair>& pairs) {
-  if (!spansPlane(pairs)) {  // also what is not finite, which could not be sorted below
+  const std::vector<PointPair> merged = allFinite(pairs) ? mergeSameSources(pairs) : std::vector<PointPair>{};
+  if (!spansPlane(merged)) {
     return fail(ErrorCode::kDegenerate, "A thin-plate spline needs three anchors that are not on one line");
   }
-  const std::vector<PointPair> merged = mergeSameSources(pairs);
   ThinPlateSpline spline;
   spline.center_ = meanSource(merged);
   double squares = 0.0;

@@ -2,11 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cad2slam/simulation/site_generator.h"
 
-#include "cad2slam/geometry/similarity_fit.h"
-
 #include <Eigen/LU>
 #include <opencv2/core.hpp>
-#include <opencv2/imgproc.hpp>
 
 #include <QtTest>
 
@@ -21,13 +18,8 @@ class SiteGeneratorTest : public QObject {
   void sameSeedSameSite();
   void randomSitesAreSound();
   void randomSitesVary();
-  void everyRoomCanBeReached_data();
-  void everyRoomCanBeReached();
-  void cornersAreCorners();
   void anchorsFollowTheTruth();
   void clustersAreDenserThanSpreads();
-  void noStrengthIsARigidMotion();
-  void headingIsThatOfTheJacobian();
   void sampledTruthIsGoodToMillimetres();
   void outliersAreFarOff();
   void refusals();
@@ -83,58 +75,6 @@ void SiteGeneratorTest::randomSitesVary() {
   QVERIFY(to_scale > 60 && to_scale < 160);
 }
 
-void SiteGeneratorTest::everyRoomCanBeReached_data() {
-  QTest::addColumn<int>("kind");
-  QTest::addColumn<int>("shape");
-  QTest::addColumn<double>("width");
-  QTest::addColumn<double>("height");
-  const auto row = [](const char* name, SiteKind kind, CorridorShape shape, double width, double height) {
-    QTest::newRow(name) << static_cast<int>(kind) << static_cast<int>(shape) << width << height;
-  };
-  row("flat", SiteKind::kFlat, CorridorShape::kU, 11, 8);
-  row("small office", SiteKind::kOffice, CorridorShape::kU, 20, 12);
-  row("large office", SiteKind::kOffice, CorridorShape::kU, 90, 58);
-  row("straight corridor", SiteKind::kCorridor, CorridorShape::kStraight, 100, 15);
-  row("L", SiteKind::kCorridor, CorridorShape::kL, 50, 30);
-  row("U", SiteKind::kCorridor, CorridorShape::kU, 80, 40);
-  row("ring", SiteKind::kCorridor, CorridorShape::kRing, 60, 45);
-  row("hall", SiteKind::kHall, CorridorShape::kU, 60, 40);
-}
-
-void SiteGeneratorTest::everyRoomCanBeReached() {
-  QFETCH(int, kind);
-  QFETCH(int, shape);
-  QFETCH(double, width);
-  QFETCH(double, height);
-  for (std::uint64_t seed = 1; seed <= 3; ++seed) {
-    BuildingRecipe recipe;
-    recipe.plan = {static_cast<SiteKind>(kind), {width, height}, static_cast<CorridorShape>(shape)};
-    recipe.seed = seed;
-    const Result<Building> building = makeBuilding(recipe);
-    QVERIFY(building);
-    QVERIFY(building->plan.route.size() >= 2);
-    const cv::Mat is_free = building->blueprint.states() == static_cast<int>(CellState::kFree);
-    cv::Mat labels;
-    QCOMPARE(cv::connectedComponents(is_free, labels, 4), 2);  // the background and one building
-    for (const Eigen::Vector2d& place : building->plan.route) QVERIFY(building->plan.isFree(place));
-  }
-}
-
-void SiteGeneratorTest::cornersAreCorners() {
-  SeededRandom random(9);
-  const SitePlan plan = makeSitePlan({SiteKind::kOffice, {40.0, 24.0}, CorridorShape::kU}, random);
-  const std::vector<Eigen::Vector2d> corners = plan.corners();
-  QVERIFY(corners.size() > 60);
-  for (const Eigen::Vector2d& corner : corners) {
-    int free_around = 0;
-    for (int i = 0; i < 360; ++i) {
-      const double direction = i * kPi / 180.0 + 0.001;
-      free_around += plan.isFree(corner + 0.02 * Eigen::Vector2d(std::cos(direction), std::sin(direction))) ? 1 : 0;
-    }
-    QVERIFY(std::abs(free_around - 90) < 3 || std::abs(free_around - 270) < 3);
-  }
-}
-
 void SiteGeneratorTest::anchorsFollowTheTruth() {
   SiteRecipe recipe = randomSiteRecipe(21);
   recipe.anchors = {40, AnchorLayout::kRandom, 0.0, 0.0, 0.0, 0, 0.0};
@@ -164,27 +104,6 @@ void SiteGeneratorTest::clustersAreDenserThanSpreads() {
     return sum;
   };
   QVERIFY(mean_nearest(AnchorLayout::kSpread) > 2.0 * mean_nearest(AnchorLayout::kClustered));
-}
-
-void SiteGeneratorTest::noStrengthIsARigidMotion() {
-  SeededRandom random(4);
-  WarpRecipe recipe;
-  recipe.slam_from_plan = {{5.0, -7.0}, 2.5};
-  const WarpField warp(recipe, {{0, 0}, {10, 0}}, false, {{0, 0}, {10, 5}}, random);
-  QVERIFY((warp.slamFromPlan(Eigen::Vector2d(3, 4)) - recipe.slam_from_plan * Eigen::Vector2d(3, 4)).norm() < 1e-12);
-  QVERIFY(std::abs(wrapAngle(warp.slamFromPlan(Pose2{{3, 4}, 1.0}).heading - 3.5)) < 1e-6);
-}
-
-void SiteGeneratorTest::headingIsThatOfTheJacobian() {
-  const Result<GeneratedSite> site = generateSite(randomSiteRecipe(33));
-  QVERIFY(site);
-  for (const Eigen::Vector2d& place : freePlaces(site->building.plan, 4.0)) {
-    const Eigen::Matrix2d j = site->warp.jacobian(place);
-    const double heading = site->warp.slamFromPlan(Pose2{place, 0.0}).heading;
-    const Eigen::Matrix2d strain = rotationMatrix(-heading) * j;
-    QVERIFY(std::abs(strain(0, 1) - strain(1, 0)) < 1e-6);  // what is left after the rotation is symmetric
-    QVERIFY(strain.trace() > 0.0);
-  }
 }
 
 void SiteGeneratorTest::sampledTruthIsGoodToMillimetres() {
