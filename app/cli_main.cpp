@@ -26,6 +26,8 @@ int runCli(int argc, char** argv) {
   addWarpCommand(app, chosen);
   addPreviewCommand(app, chosen);
   addConvertCommand(app, chosen);
+  addExportCommand(app, chosen);
+  addServeCommand(app, chosen);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
