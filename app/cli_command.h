@@ -32,5 +32,7 @@ void addPreviewCommand(CLI::App& app, ActionSlot& chosen);
 void addConvertCommand(CLI::App& app, ActionSlot& chosen);
 void addExportCommand(CLI::App& app, ActionSlot& chosen);
 void addServeCommand(CLI::App& app, ActionSlot& chosen);
+void addEvaluateCommand(CLI::App& app, ActionSlot& chosen);
+void addPlanCommand(CLI::App& app, ActionSlot& chosen);
 
 }  // namespace cad2slam::cli

@@ -28,6 +28,8 @@ int runCli(int argc, char** argv) {
   addConvertCommand(app, chosen);
   addExportCommand(app, chosen);
   addServeCommand(app, chosen);
+  addPlanCommand(app, chosen);
+  addEvaluateCommand(app, chosen);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

@@ -11,6 +11,7 @@
 #include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -31,6 +32,7 @@ struct SolveOptions {
   std::string slam;
   std::string anchors;
   std::string model;
+  std::optional<Stiffness> stiffness;
   std::string scale;
   std::string cell_size;
   std::string output;
@@ -42,6 +44,18 @@ struct SolveOptions {
   bool json = false;
   bool reproducible = false;
 };
+
+const std::map<std::string, Stiffness> kStiffnesses{{"auto", Stiffness::kAutomatic},
+                                                    {"balanced", Stiffness::kBalanced},
+                                                    {"smooth", Stiffness::kSmooth},
+                                                    {"local", Stiffness::kLocal}};
+
+std::string nameOf(Stiffness stiffness) {
+  for (const auto& [name, value] : kStiffnesses) {
+    if (value == stiffness) return name;
+  }
+  return "given";
+}
 
 Result<double> positiveNumber(const std::string& text, const std::string& option) {
   double value = 0.0;
@@ -58,6 +72,7 @@ Result<void> applyOverrides(const SolveOptions& options, SolveInputs& inputs) {
   if (!options.model.empty() || options.project.empty()) {
     inputs.settings = defaultSettings(options.model == "rigid" ? Model::kRigid : Model::kStretch);
   }
+  if (options.stiffness && inputs.settings.model == Model::kStretch) inputs.settings.stiffness = *options.stiffness;
   if (options.scale == "auto") {
     inputs.settings.scale.rule = ScaleRule::kToScale;
   } else if (options.scale == "unknown") {
@@ -110,6 +125,7 @@ nlohmann::ordered_json toJson(const SolvedJob& job, const ProjectorData& project
           {"cell_size_m", job.mesh->lattice().cell_size},
           {"anchors_used", solution.anchors_used},
           {"model", projector.info.model},
+          {"stiffness", nameOf(solution.settings.stiffness)},
           {"scale", solution.global_fit.scale},
           {"rotation_rad", wrapAngle(solution.global_fit.heading)},
           {"cost", solution.cost},
@@ -133,9 +149,11 @@ void printReport(const SolvedJob& job, const ProjectorData& projector, const std
   const QualityInfo& quality = projector.info.quality;
   fmt::print("{} nodes, {} edges, cells of {:.3g} m; {} of {} anchors used\n", job.mesh->nodeCount(),
              job.mesh->edges().size(), job.mesh->lattice().cell_size, solution.anchors_used, solution.anchors.size());
-  fmt::print("{} model, scale {:.4f}, rotation {:.2f} deg; {} iterations in {:.3f} s\n", projector.info.model,
-             solution.global_fit.scale, wrapAngle(solution.global_fit.heading) * 180.0 / kPi, solution.iterations,
-             job.seconds.solve);
+  fmt::print(
+      "{} model{}, scale {:.4f}, rotation {:.2f} deg; {} iterations in {:.3f} s\n", projector.info.model,
+      solution.settings.model == Model::kStretch ? " (" + nameOf(solution.settings.stiffness) + ")" : std::string(),
+      solution.global_fit.scale, wrapAngle(solution.global_fit.heading) * 180.0 / kPi, solution.iterations,
+      job.seconds.solve);
   fmt::print("residual at the anchors: rms {:.3f} m, max {:.3f} m\n", quality.anchor_rms_m, quality.anchor_max_m);
   if (quality.leave_one_out_max_m > 0.0) {
     fmt::print("without the anchor itself: mean {:.3f} m, median {:.3f} m, max {:.3f} m\n",

@@ -3,7 +3,8 @@
 
 # Which file belongs to which component; each component is a Debian package (Package.cmake).
 #   app   the desktop program        cli   the command line program
-#   dev   the library for robots, to compile against
+#   lib   the C library for robots   python  the Python modules
+#   dev   the libraries for robots, to compile against
 include(CMakePackageConfigHelpers)
 find_program(GZIP_PROGRAM gzip REQUIRED)
 
@@ -52,13 +53,20 @@ if(TARGET cad2slam_app)
   endif()
 endif()
 
-# --- Library for robots ---------------------------------------------------------------------------------------------
+# --- Libraries for robots ---------------------------------------------------------------------------------------------
 set(config_folder ${CMAKE_INSTALL_LIBDIR}/cmake/cad2slam)
-install(TARGETS cad2slam_projector EXPORT cad2slam_projector
-  ARCHIVE COMPONENT dev LIBRARY COMPONENT dev FILE_SET HEADERS COMPONENT dev)
-install(EXPORT cad2slam_projector NAMESPACE cad2slam:: DESTINATION ${config_folder} COMPONENT dev)
+install(TARGETS cad2slam_projector cad2slam_c EXPORT cad2slam
+  ARCHIVE COMPONENT dev
+  LIBRARY COMPONENT lib NAMELINK_COMPONENT dev
+  FILE_SET HEADERS COMPONENT dev)
+install(EXPORT cad2slam NAMESPACE cad2slam:: FILE cad2slamTargets.cmake DESTINATION ${config_folder} COMPONENT dev)
 configure_package_config_file(cad2slamConfig.cmake.in cad2slamConfig.cmake INSTALL_DESTINATION ${config_folder}
   NO_SET_AND_CHECK_MACRO)
 write_basic_package_version_file(cad2slamConfigVersion.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${CMAKE_CURRENT_BINARY_DIR}/cad2slamConfig.cmake ${CMAKE_CURRENT_BINARY_DIR}/cad2slamConfigVersion.cmake
         DESTINATION ${config_folder} COMPONENT dev)
+
+# Where Debian's python3 looks; others install with pip from the folder python/.
+install(FILES ${CMAKE_SOURCE_DIR}/python/cad2slam.py ${CMAKE_SOURCE_DIR}/python/cad2slam_native.py
+              ${CMAKE_SOURCE_DIR}/python/c2s_rmf.py
+        DESTINATION lib/python3/dist-packages COMPONENT python)

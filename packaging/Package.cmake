@@ -24,7 +24,7 @@ set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PACKAGE_PRIORITY optional)
 set(CPACK_DEBIAN_PACKAGE_CONTROL_STRICT_PERMISSION ON)
-set(CPACK_COMPONENTS_ALL dev)
+set(CPACK_COMPONENTS_ALL dev lib python)
 
 # One package: its component, Debian name, section, and description (one line of summary, then wrapped text).
 macro(cad2slam_package component name section description)
@@ -38,12 +38,30 @@ macro(cad2slam_package component name section description)
   install(SCRIPT ${CMAKE_CURRENT_LIST_DIR}/debian/install_documents.cmake COMPONENT ${component})
 endmacro()
 
-cad2slam_package(dev libcad2slam-dev libdevel
-"projects poses between building blueprints and SLAM maps: library
+cad2slam_package(lib libcad2slam0 libs
+"projects poses between building blueprints and SLAM maps: C library
 Reads a projector file made by CAD2SLAM and projects poses from the blueprint
-of a building into the SLAM map of a robot and back. C++17 and later, static,
-thread-safe; needs neither Ceres nor OpenCV nor Qt.")
-set(CPACK_DEBIAN_DEV_PACKAGE_DEPENDS "libeigen3-dev, libexpected-dev, libssl-dev")
+of a building into the SLAM map of a robot and back. Thread-safe, without
+allocation in a query; for C and every language that calls C.")
+set(CPACK_DEBIAN_LIB_PACKAGE_GENERATE_SHLIBS ON)
+set(CPACK_DEBIAN_PACKAGE_GENERATE_SHLIBS_POLICY ">=")
+
+cad2slam_package(dev libcad2slam-dev libdevel
+"projects poses between building blueprints and SLAM maps: development
+Headers, static C++ library and link to the C library with which robots read
+projector files made by CAD2SLAM. C++17 and later; needs neither Ceres nor
+OpenCV nor Qt.")
+set(CPACK_DEBIAN_DEV_PACKAGE_DEPENDS
+    "libcad2slam0 (= ${PROJECT_VERSION}), libeigen3-dev, libexpected-dev, libssl-dev")
+
+cad2slam_package(python python3-cad2slam python
+"projects poses between building blueprints and SLAM maps: Python module
+Reads a projector file made by CAD2SLAM and projects poses from the blueprint
+of a building into the SLAM map of a robot and back, many at once with numpy.
+Single poses are faster with libcad2slam0 installed.")
+set(CPACK_DEBIAN_PYTHON_PACKAGE_ARCHITECTURE all)
+set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS "python3 (>= 3.9), python3-numpy")
+set(CPACK_DEBIAN_PYTHON_PACKAGE_RECOMMENDS "libcad2slam0 (>= ${PROJECT_VERSION})")
 
 if(TARGET cad2slam_cli)
   list(APPEND CPACK_COMPONENTS_ALL cli)

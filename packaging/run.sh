@@ -34,9 +34,13 @@ cli=$build/app/cad2slam-cli
 out=$root/out
 mkdir -p "$out"
 echo "No display: solving the sample in $sample on the command line"
-"$cli" solve --blueprint "$sample/blueprint.yaml" --slam "$sample/slam_1.yaml" --anchors "$sample/anchors_1.csv" \
-  -o "$out/office.c2s"
+maps=(--blueprint "$sample/blueprint.yaml" --slam "$sample/slam_1.yaml")
+"$cli" solve "${maps[@]}" --anchors "$sample/anchors_1.csv" -o "$out/office.c2s"
+"$cli" preview "$out/office.c2s" "${maps[@]}" -o "$out/office.png"
 "$cli" warp "$out/office.c2s" --to slam "$sample/blueprint.yaml" -o "$out/office_in_slam.yaml"
-echo
-echo "Projector for robots:                 $out/office.c2s"
-echo "Blueprint drawn in the SLAM map's frame: $(ls "$out"/office_in_slam.* | grep -v '\.yaml$')"
+cat <<END
+
+Projector for robots:           $out/office.c2s
+Picture of both maps together:  $out/office.png
+Blueprint as a map for robots:  $out/office_in_slam.yaml
+END

@@ -15,7 +15,8 @@ import sys
 
 def directly_needed(program: str) -> set[str]:
     listing = subprocess.run(["readelf", "-d", program], check=True, capture_output=True, text=True).stdout
-    return set(re.findall(r"\(NEEDED\).*\[(.+?)\.so", listing))
+    names = set(re.findall(r"\(NEEDED\).*\[(.+?)\.so", listing))
+    return {name for name in names if not name.startswith("ld-")}  # the loader itself
 
 
 def needed_at_run_time(program: str) -> set[str]:

@@ -28,7 +28,9 @@ inline std::filesystem::path paperFolder(const QString& site) {
   return std::filesystem::path(CAD2SLAM_SHARED_DATA) / site.toStdString();
 }
 
-inline bool hasPaperSite(const QString& site) { return std::filesystem::exists(paperFolder(site) / "blueprint.yaml"); }
+inline bool hasPaperSite(const QString& site) {
+  return std::filesystem::exists(paperFolder(site) / "blueprint.yaml");
+}
 
 inline Result<PaperSite> loadPaperSite(const QString& site) {
   const std::filesystem::path folder = paperFolder(site);
@@ -40,13 +42,14 @@ inline Result<PaperSite> loadPaperSite(const QString& site) {
   if (!file.open(QIODevice::ReadOnly)) return fail(ErrorCode::kUnreadable, "cannot be opened", "params.json");
   const QJsonObject params = QJsonDocument::fromJson(file.readAll()).object();
   return PaperSite{*blueprint, anchors->anchors, params["cell_size_m"].toDouble(),
-                   static_cast<std::size_t>(params["nodes"].toInt()), static_cast<std::size_t>(params["edges"].toInt())};
+                   static_cast<std::size_t>(params["nodes"].toInt()),
+                   static_cast<std::size_t>(params["edges"].toInt())};
 }
 
 }  // namespace cad2slam::testing
 
-#define CAD2SLAM_SKIP_WITHOUT_PAPER_SITE(site)                                            \
-  if (!cad2slam::testing::hasPaperSite(site)) {                                           \
+#define CAD2SLAM_SKIP_WITHOUT_PAPER_SITE(site)                                             \
+  if (!cad2slam::testing::hasPaperSite(site)) {                                            \
     QSKIP("the data of the paper's authors is not beside this project: nothing to check"); \
-  }                                                                                       \
+  }                                                                                        \
   static_cast<void>(0)

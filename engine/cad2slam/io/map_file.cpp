@@ -8,6 +8,7 @@
 #include "cad2slam/io/pixel_states.h"
 #include "cad2slam/io/text.h"
 
+#include <opencv2/core.hpp>
 #include <opencv2/imgcodecs.hpp>
 
 #include <algorithm>
@@ -74,6 +75,8 @@ Result<LoadedMap> loadMapWithWarnings(const MapMetadata& metadata, std::vector<s
   rules.full_brightness = decoded->header.full_brightness;
   Result<PixelStates> pixels = classifyPixels(std::move(decoded->picture), rules);
   if (!pixels) return fail(pixels.error().code, pixels.error().message, metadata.image.string());
+
+  if (metadata.mirrored) cv::flip(pixels->states, pixels->states, 1);
 
   if (pixels->grey_205_is_free && !metadata.negate && metadata.mode != MapMode::kRaw) {
     warnings.push_back("Grey 205, which map_saver writes for unknown, counts as free with free_thresh " +

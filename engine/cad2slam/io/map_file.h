@@ -33,6 +33,7 @@ struct MapMetadata {
   double free_threshold = 0.196;
   bool negate = false;
   MapMode mode = MapMode::kTrinary;
+  bool mirrored = false;  ///< columns are read from right to left; only a project says so, a YAML cannot
 };
 
 struct MapReadOptions {

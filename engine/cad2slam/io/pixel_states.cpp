@@ -6,7 +6,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <utility>
+#include <optional>
 #include <vector>
 
 namespace cad2slam {
@@ -102,16 +102,44 @@ class Stretch {
   std::vector<std::uint16_t> table_ = std::vector<std::uint16_t>(std::numeric_limits<Sample>::max() + std::size_t{1});
 };
 
-template <class Sample, class ThisServer, class OtherServer>
-PixelStates classifyGrey(cv::Mat picture, const Stretch<Sample>& stretch, const ThisServer& server,
-                         const OtherServer& other_server) {
-  constexpr std::size_t kValues = std::numeric_limits<Sample>::max() + std::size_t{1};
-  std::vector<CellState> state_of(kValues);
-  std::vector<std::size_t> count_of(kValues);
-  for (std::size_t value = 0; value < kValues; ++value) {
-    const std::uint32_t grey = stretch(static_cast<Sample>(value));
-    state_of[value] = server(Pixel{grey, grey, grey});
+/// What becomes of every opaque grey, which is nearly every pixel of nearly every map.
+template <class Sample>
+class GreyTable {
+ public:
+  static constexpr std::size_t kValues = std::numeric_limits<Sample>::max() + std::size_t{1};
+
+  template <class ThisServer, class OtherServer>
+  GreyTable(const Stretch<Sample>& stretch, const ThisServer& server, const OtherServer& other_server) {
+    for (std::size_t value = 0; value < kValues; ++value) {
+      const std::uint32_t grey = stretch(static_cast<Sample>(value));
+      states_[value] = server(Pixel{grey, grey, grey});
+      differs_[value] = other_server(Pixel{grey, grey, grey}) != states_[value];
+      if (grey == kSaverUnknown * 257) saver_unknown_ = value;
+    }
   }
+
+  std::uint8_t operator()(Sample value) {
+    ++counts_[value];
+    return static_cast<std::uint8_t>(states_[value]);
+  }
+  /// Adds what the pixels that were looked up amount to.
+  void report(PixelStates& result) const {
+    for (std::size_t value = 0; value < kValues; ++value) {
+      if (differs_[value]) result.read_differently += counts_[value];
+    }
+    const bool has_205 = saver_unknown_ && counts_[*saver_unknown_] > 0;
+    result.grey_205_is_free = has_205 && states_[*saver_unknown_] == CellState::kFree;
+  }
+
+ private:
+  std::vector<CellState> states_ = std::vector<CellState>(kValues);
+  std::vector<std::uint8_t> differs_ = std::vector<std::uint8_t>(kValues);
+  std::vector<std::size_t> counts_ = std::vector<std::size_t>(kValues);
+  std::optional<std::size_t> saver_unknown_;
+};
+
+template <class Sample>
+PixelStates classifyGrey(const cv::Mat& picture, GreyTable<Sample>& table) {
   PixelStates result;
   // Copies of a cv::Mat share their pixels; those of a caller must not change.
   const bool in_place = picture.type() == CV_8UC1 && picture.u != nullptr && picture.u->refcount == 1;
@@ -119,51 +147,50 @@ PixelStates classifyGrey(cv::Mat picture, const Stretch<Sample>& stretch, const 
   for (int row = 0; row < picture.rows; ++row) {
     const Sample* from = picture.ptr<Sample>(row);
     std::uint8_t* to = result.states.ptr<std::uint8_t>(row);
-    for (int column = 0; column < picture.cols; ++column) {
-      const Sample value = from[column];
-      ++count_of[value];
-      to[column] = static_cast<std::uint8_t>(state_of[value]);
-    }
+    for (int column = 0; column < picture.cols; ++column) to[column] = table(from[column]);
   }
-  for (std::size_t value = 0; value < kValues; ++value) {
-    const std::uint32_t grey = stretch(static_cast<Sample>(value));
-    if (count_of[value] == 0) continue;
-    if (other_server(Pixel{grey, grey, grey}) != state_of[value]) result.read_differently += count_of[value];
-    if (grey == kSaverUnknown * 257 && state_of[value] == CellState::kFree) result.grey_205_is_free = true;
-  }
+  table.report(result);
   return result;
 }
 
 template <class Sample, class ThisServer, class OtherServer>
-PixelStates classifyColour(const cv::Mat& picture, const Stretch<Sample>& stretch, const ThisServer& server,
-                           const OtherServer& other_server) {
+PixelStates classifyColour(const cv::Mat& picture, GreyTable<Sample>& table, const Stretch<Sample>& stretch,
+                           const ThisServer& server, const OtherServer& other_server) {
+  constexpr Sample kOpaque = std::numeric_limits<Sample>::max();
   const int channels = picture.channels();
   PixelStates result;
   result.states.create(picture.rows, picture.cols, CV_8UC1);
+  std::size_t read_differently = 0;
   for (int row = 0; row < picture.rows; ++row) {
     const Sample* from = picture.ptr<Sample>(row);
     std::uint8_t* to = result.states.ptr<std::uint8_t>(row);
     for (int column = 0; column < picture.cols; ++column, from += channels) {
-      Pixel pixel{stretch(from[2]), stretch(from[1]), stretch(from[0])};
-      if (channels == 4) pixel.alpha = stretch(from[3]);
+      const Sample alpha = channels == 4 ? from[3] : kOpaque;
+      if (from[0] == from[1] && from[1] == from[2] && alpha == kOpaque) {
+        to[column] = table(from[0]);
+        continue;
+      }
+      const Pixel pixel{stretch(from[2]), stretch(from[1]), stretch(from[0]),
+                        alpha == kOpaque ? 65535U : stretch(alpha)};
       const CellState state = server(pixel);
       to[column] = static_cast<std::uint8_t>(state);
-      if (other_server(pixel) != state) ++result.read_differently;
-      const bool is_205 = pixel.red == kSaverUnknown * 257 && pixel.red == pixel.green && pixel.red == pixel.blue;
-      if (is_205 && state == CellState::kFree) result.grey_205_is_free = true;
+      if (other_server(pixel) != state) ++read_differently;
     }
   }
+  table.report(result);
+  result.read_differently += read_differently;
   return result;
 }
 
 template <class Sample>
-PixelStates classify(cv::Mat picture, const PixelRules& rules) {
+PixelStates classify(const cv::Mat& picture, const PixelRules& rules) {
   const Stretch<Sample> stretch(rules.full_brightness);
   const JazzyServer jazzy(rules);
   const HumbleServer humble(rules, picture.channels() == 4);
   const auto run = [&](const auto& server, const auto& other_server) {
-    return picture.channels() == 1 ? classifyGrey<Sample>(std::move(picture), stretch, server, other_server)
-                                   : classifyColour<Sample>(picture, stretch, server, other_server);
+    GreyTable<Sample> table(stretch, server, other_server);
+    return picture.channels() == 1 ? classifyGrey<Sample>(picture, table)
+                                   : classifyColour<Sample>(picture, table, stretch, server, other_server);
   };
   return rules.semantics == MapSemantics::kJazzy ? run(jazzy, humble) : run(humble, jazzy);
 }
@@ -176,8 +203,8 @@ Result<PixelStates> classifyPixels(cv::Mat picture, const PixelRules& rules) {
     return fail(ErrorCode::kMalformed,
                 "is an image of an unusual kind: grey, colour, or colour with alpha can be read");
   }
-  if (picture.depth() == CV_8U) return classify<std::uint8_t>(std::move(picture), rules);
-  if (picture.depth() == CV_16U) return classify<std::uint16_t>(std::move(picture), rules);
+  if (picture.depth() == CV_8U) return classify<std::uint8_t>(picture, rules);
+  if (picture.depth() == CV_16U) return classify<std::uint16_t>(picture, rules);
   return fail(ErrorCode::kMalformed, "is an image with neither 8 nor 16 bits a sample");
 }
 

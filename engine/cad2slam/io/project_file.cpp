@@ -33,6 +33,11 @@ struct Word {
   Value value;
 };
 constexpr std::array<Word<Model>, 2> kModels{{{"stretch", Model::kStretch}, {"rigid", Model::kRigid}}};
+constexpr std::array<Word<Stiffness>, 5> kStiffnesses{{{"given", Stiffness::kGiven},
+                                                       {"auto", Stiffness::kAutomatic},
+                                                       {"balanced", Stiffness::kBalanced},
+                                                       {"smooth", Stiffness::kSmooth},
+                                                       {"local", Stiffness::kLocal}}};
 constexpr std::array<Word<ScaleRule>, 3> kScaleRules{
     {{"to_scale", ScaleRule::kToScale}, {"least_squares", ScaleRule::kLeastSquares}, {"fixed", ScaleRule::kFixed}}};
 constexpr std::array<Word<MapMode>, 3> kModes{
@@ -111,6 +116,7 @@ ProjectRaster readRaster(const JsonReader& reader, const fs::path& folder) {
   }
   metadata.negate = reader["negate"].flag(metadata.negate);
   metadata.mode = valueOf(reader["mode"], kModes, metadata.mode);
+  metadata.mirrored = reader["mirrored"].flag(metadata.mirrored);
   raster.image_bytes = reader["image_bytes"].integer<std::uintmax_t>(0);
   raster.image_sha256 = readSha256(reader["image_sha256"]);
   return raster;
@@ -146,18 +152,20 @@ std::optional<PendingAnchor> readPending(const JsonReader& reader) {
 }
 
 SolverSettings readSettings(const JsonReader& reader) {
-  SolverSettings settings;
-  if (!reader.exists()) return settings;
-  settings.model = valueOf(reader["model"], kModels, settings.model);
+  if (!reader.exists()) return {};
+  SolverSettings settings = defaultSettings(valueOf(reader["model"], kModels, Model::kStretch));
+  settings.stiffness = valueOf(reader["stiffness"], kStiffnesses, settings.stiffness);
   settings.scale.rule = valueOf(reader["scale_rule"], kScaleRules, settings.scale.rule);
   settings.scale.fixed_scale = reader["fixed_scale"].number(settings.scale.fixed_scale, 1e-6, 1e6);
   settings.lambda_x = reader["lambda_x"].number(settings.lambda_x, 0.0, kLargestWeight);
   settings.lambda_y = reader["lambda_y"].number(settings.lambda_y, 0.0, kLargestWeight);
-  settings.lambda_theta = reader["lambda_theta"].optionalNumber(0.0, kLargestWeight);
+  if (reader["lambda_theta"].exists())
+    settings.lambda_theta = reader["lambda_theta"].optionalNumber(0.0, kLargestWeight);
   settings.lambda_stretch = reader["lambda_stretch"].number(settings.lambda_stretch, 0.0, kLargestWeight);
   settings.prior_strength = reader["prior_strength"].number(settings.prior_strength, 0.0, kLargestWeight);
   settings.anchor_information = reader["anchor_information"].number(settings.anchor_information, 0.0, kLargestWeight);
-  settings.loss_width_m = reader["loss_width_m"].optionalNumber(0.0, kLargestWeight);
+  if (reader["loss_width_m"].exists())
+    settings.loss_width_m = reader["loss_width_m"].optionalNumber(0.0, kLargestWeight);
   settings.max_iterations = reader["max_iterations"].integer(settings.max_iterations, 1, 1'000'000);
   settings.gradient_tolerance = reader["gradient_tolerance"].number(settings.gradient_tolerance, 0.0, 1.0);
   return settings;
@@ -210,6 +218,7 @@ ordered_json rasterJson(const ProjectRaster& raster, const fs::path& folder) {
   text["free_thresh"] = metadata.free_threshold;
   text["negate"] = metadata.negate;
   text["mode"] = wordOf(metadata.mode, kModes);
+  text["mirrored"] = metadata.mirrored;
   return text;
 }
 
@@ -241,6 +250,7 @@ ordered_json slamMapJson(const ProjectSlamMap& map, const fs::path& folder) {
 ordered_json settingsJson(const SolverSettings& settings) {
   ordered_json text;
   text["model"] = wordOf(settings.model, kModels);
+  text["stiffness"] = wordOf(settings.stiffness, kStiffnesses);
   text["scale_rule"] = wordOf(settings.scale.rule, kScaleRules);
   text["fixed_scale"] = settings.scale.fixed_scale;
   text["lambda_x"] = settings.lambda_x;

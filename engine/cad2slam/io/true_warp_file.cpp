@@ -106,9 +106,8 @@ Result<TrueWarp> readTrueWarp(const std::filesystem::path& yaml) {
   if (content.size() < kPreambleBytes || content.substr(0, kMagic.size()) != kMagic) {
     return fail(ErrorCode::kMalformed, "This is not a NumPy file of version 1", grid_path.string());
   }
-  const std::size_t header_bytes =
-      static_cast<std::size_t>(static_cast<std::uint8_t>(content[8])) |
-      static_cast<std::size_t>(static_cast<std::uint8_t>(content[9])) << 8;
+  const std::size_t header_bytes = static_cast<std::size_t>(static_cast<std::uint8_t>(content[8])) |
+                                   static_cast<std::size_t>(static_cast<std::uint8_t>(content[9])) << 8;
   if (content.size() < kPreambleBytes + header_bytes) {
     return fail(ErrorCode::kMalformed, "The file ends inside its header", grid_path.string());
   }
@@ -140,8 +139,7 @@ Result<void> writeTrueWarp(const std::filesystem::path& yaml, const TrueWarp& wa
   bytes.push_back(static_cast<char>(header.size() & 0xff));
   bytes.push_back(static_cast<char>(header.size() >> 8));
   bytes += header;
-  bytes.append(reinterpret_cast<const char*>(warp.samples().data()),
-               warp.samples().size() * sizeof(TrueWarp::Sample));
+  bytes.append(reinterpret_cast<const char*>(warp.samples().data()), warp.samples().size() * sizeof(TrueWarp::Sample));
   const std::filesystem::path grid_path = std::filesystem::path(yaml).replace_extension(".npy");
   if (Result<void> written = writeFileAtomically(grid_path, bytes); !written) return written;
 

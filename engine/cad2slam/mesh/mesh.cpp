@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <map>
 #include <tuple>
 #include <utility>
 
@@ -107,6 +108,30 @@ double Mesh::diagonal() const {
   Eigen::AlignedBox2d box;
   for (const Eigen::Vector2d& center : centers_) box.extend(center);
   return box.diagonal().norm();
+}
+
+Mesh coarsened(const Mesh& mesh, int factor) {
+  const auto floorDivided = [factor](std::int32_t tile) {
+    return tile >= 0 ? tile / factor : -((-tile + factor - 1) / factor);
+  };
+  TileLattice lattice = mesh.lattice();
+  lattice.cell_size *= factor;
+  std::map<std::pair<std::int32_t, std::int32_t>, std::pair<Eigen::Vector2d, int>> sums;
+  for (NodeIndex node = 0; node < mesh.nodeCount(); ++node) {
+    const TileCoordinate tile = mesh.tiles()[node];
+    auto& [sum, count] =
+        sums.try_emplace({floorDivided(tile.row), floorDivided(tile.column)}, Eigen::Vector2d::Zero(), 0).first->second;
+    sum += mesh.centers()[node];
+    ++count;
+  }
+  std::vector<Eigen::Vector2d> centers;
+  std::vector<TileCoordinate> tiles;
+  for (const auto& [tile, sum] : sums) {
+    tiles.push_back({tile.second, tile.first});
+    centers.push_back(sum.first / sum.second);
+  }
+  Result<Mesh> coarse = Mesh::create(lattice, std::move(centers), std::move(tiles));
+  return std::move(*coarse);  // tiles of a valid mesh, each once: cannot fail
 }
 
 }  // namespace cad2slam

@@ -58,4 +58,7 @@ class Mesh {
   TileIndex index_;
 };
 
+/// A mesh on tiles `factor` times as large; a node lies at the mean of the centres it stands for.
+[[nodiscard]] Mesh coarsened(const Mesh& mesh, int factor);
+
 }  // namespace cad2slam

@@ -88,8 +88,8 @@ TileCoordinate TileIndex::nearestTile(const Eigen::Vector2d& cells) const {
   return best;
 }
 
-std::vector<std::uint32_t> TileIndex::renumberInMemoryOrder() {
-  std::vector<std::uint32_t> old_numbers;
+LargeVector<std::uint32_t> TileIndex::renumberInMemoryOrder() {
+  LargeVector<std::uint32_t> old_numbers;
   for (std::uint32_t& node : blocks_) {
     if (node == kNone) continue;
     old_numbers.push_back(node);
@@ -115,7 +115,7 @@ std::uint32_t& TileIndex::entry(const TileCoordinate& tile) {
 }
 
 void TileIndex::grow() {
-  std::vector<Slot> old(slots_.empty() ? 16 : slots_.size() * 2);
+  LargeVector<Slot> old(slots_.empty() ? 16 : slots_.size() * 2);
   old.swap(slots_);
   slot_mask_ = slots_.size() - 1;
   for (const Slot& slot : old) {

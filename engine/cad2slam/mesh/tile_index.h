@@ -7,8 +7,8 @@
 #include <array>
 #include <cstdint>
 #include <optional>
-#include <vector>
 
+#include "cad2slam/core/large_vector.h"
 #include "cad2slam/mesh/tile_lattice.h"
 
 namespace cad2slam {
@@ -39,7 +39,7 @@ class TileIndex {
 
   /// Numbers the nodes anew in the order in which they lie in memory, so that neighbours share cache lines.
   /// Returns the old number of each new one.
-  std::vector<std::uint32_t> renumberInMemoryOrder();
+  LargeVector<std::uint32_t> renumberInMemoryOrder();
 
   /// Nodes of the 3 x 3 tiles around a tile, row by row from the lower left; kNone where there is none.
   [[nodiscard]] std::array<std::uint32_t, 9> neighbourhood(std::int32_t column, std::int32_t row) const;
@@ -73,10 +73,10 @@ class TileIndex {
   void grow();
 
   TileLattice lattice_;
-  std::vector<Slot> slots_;  // open addressing, size is a power of two, at most half full
+  LargeVector<Slot> slots_;  // open addressing, size is a power of two, at most half full
   std::size_t slot_mask_ = 0;
   std::size_t block_count_ = 0;
-  std::vector<std::uint32_t> blocks_;
+  LargeVector<std::uint32_t> blocks_;
 };
 
 }  // namespace cad2slam

@@ -14,6 +14,7 @@
 #include <utility>
 #include <vector>
 
+#include "cad2slam/core/large_vector.h"
 #include "cad2slam/mesh/tile_index.h"
 #include "cad2slam/projection/node_blending.h"
 #include "cad2slam/projection/spatial_hash.h"
@@ -56,7 +57,7 @@ class Projector::Impl {
   [[nodiscard]] std::vector<Vector2d> tileMiddles() const;
 
   ProjectorInfo info;
-  std::vector<NodePrediction> nodes;
+  LargeVector<NodePrediction> nodes;
 
  private:
   struct Extended {
@@ -90,8 +91,8 @@ class Projector::Impl {
   [[nodiscard]] bool foldsNear(std::uint32_t node) const;
 
   TileIndex index_;
-  std::vector<TileCoordinate> tiles_;
-  std::vector<Vector2d> centers_;  // only with the paper's weights, which measure distances to the true centres
+  LargeVector<TileCoordinate> tiles_;
+  LargeVector<Vector2d> centers_;  // only with the paper's weights, which measure distances to the true centres
   SpatialHash seeds_;
   Matrix2d cells_from_blueprint_ = Matrix2d::Identity();
   Vector2d cells_offset_ = Vector2d::Zero();
@@ -138,11 +139,10 @@ Result<std::shared_ptr<const Projector::Impl>> Projector::Impl::create(const Pro
   if (!index) return fail(ErrorCode::kMalformed, "the projector has two nodes on one tile");
   impl->index_ = std::move(*index);
 
-  const std::vector<std::uint32_t> file_order = impl->index_.renumberInMemoryOrder();
+  const LargeVector<std::uint32_t> file_order = impl->index_.renumberInMemoryOrder();
   impl->nodes.resize(arrays.node_count);
   impl->tiles_.resize(arrays.node_count);
   if (info.weights == BlendWeights::kPaper) impl->centers_.resize(arrays.node_count);
-  std::vector<Vector2d> positions(arrays.node_count);
   for (std::size_t i = 0; i < arrays.node_count; ++i) {
     const std::size_t row = file_order[i];
     const Vector2d center(arrays.node_blueprint[2 * row], arrays.node_blueprint[2 * row + 1]);
@@ -161,10 +161,13 @@ Result<std::shared_ptr<const Projector::Impl>> Projector::Impl::create(const Pro
     node.linear = rotationMatrix(heading) * factors.asDiagonal();
     node.offset = in_slam - node.linear * center;
     impl->tiles_[i] = tile;
-    positions[i] = in_slam;
     if (!impl->centers_.empty()) impl->centers_[i] = center;
   }
-  impl->seeds_ = SpatialHash(positions, 2.0 * info.scale * lattice.cell_size);
+  const auto positionOf = [&](std::size_t i) {
+    const double* pose = arrays.node_slam + 3 * std::size_t{file_order[i]};
+    return Vector2d(pose[0], pose[1]);
+  };
+  impl->seeds_ = SpatialHash(arrays.node_count, positionOf, 2.0 * info.scale * lattice.cell_size);
   impl->fold_memory_ = std::make_unique<FoldMemory[]>(arrays.node_count);
   return impl;
 }

@@ -8,7 +8,8 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
-#include <vector>
+
+#include "cad2slam/core/large_vector.h"
 
 namespace cad2slam {
 
@@ -25,18 +26,24 @@ class SpatialHash {
   };
 
   SpatialHash() = default;
-  SpatialHash(std::vector<Eigen::Vector2d> points, double bucket_size) : bucket_size_(bucket_size) {
+  /// `point_at(i)` gives point i of `count`, and is asked twice: nothing is copied on the way.
+  template <class PointAt>
+  SpatialHash(std::size_t count, const PointAt& point_at, double bucket_size) : bucket_size_(bucket_size) {
     std::size_t slots = 16;
-    while (slots < points.size()) slots *= 2;
+    while (slots < count) slots *= 2;
     mask_ = slots - 1;
     begin_.assign(slots + 1, 0);
-    for (const Eigen::Vector2d& point : points) ++begin_[slotOf(bucketOf(point.x()), bucketOf(point.y())) + 1];
+    const auto slotOfPoint = [this](const Eigen::Vector2d& point) {
+      return slotOf(bucketOf(point.x()), bucketOf(point.y()));
+    };
+    for (std::size_t i = 0; i < count; ++i) ++begin_[slotOfPoint(point_at(i))];
+    // First the end of each slot; it moves down to the beginning while the points are put in from the last one on.
     for (std::size_t slot = 0; slot < slots; ++slot) begin_[slot + 1] += begin_[slot];
-    std::vector<std::uint32_t> next(begin_.begin(), begin_.end() - 1);
-    entries_.resize(points.size());
-    for (std::uint32_t i = 0; i < points.size(); ++i) {
-      const std::size_t slot = slotOf(bucketOf(points[i].x()), bucketOf(points[i].y()));
-      entries_[next[slot]++] = {static_cast<float>(points[i].x()), static_cast<float>(points[i].y()), i};
+    entries_.resize(count);
+    for (std::size_t i = count; i-- > 0;) {
+      const Eigen::Vector2d point = point_at(i);
+      entries_[--begin_[slotOfPoint(point)]] = {static_cast<float>(point.x()), static_cast<float>(point.y()),
+                                                static_cast<std::uint32_t>(i)};
     }
   }
 
@@ -111,8 +118,8 @@ class SpatialHash {
 
   double bucket_size_ = 1.0;
   std::size_t mask_ = 0;
-  std::vector<std::uint32_t> begin_;
-  std::vector<Entry> entries_;
+  LargeVector<std::uint32_t> begin_;
+  LargeVector<Entry> entries_;
 };
 
 }  // namespace cad2slam

@@ -30,11 +30,15 @@ void clipAxis(double start, double direction, double size, RayInterval& interval
   interval.leave = std::min(interval.leave, std::max(to_low, to_high));
 }
 
+bool stopsBeam(CellState state, const LidarModel& model) {
+  return state == CellState::kOccupied || (model.stops_at_unknown && state == CellState::kUnknown);
+}
+
 double castRay(const OccupancyGrid& map, const Eigen::Vector2d& start_px, const Eigen::Vector2d& px_per_m,
-               double range_max_m) {
+               const LidarModel& model) {
   const int width = map.frame().width();
   const int height = map.frame().height();
-  RayInterval inside{0.0, range_max_m};
+  RayInterval inside{0.0, model.range_max_m};
   clipAxis(start_px.x(), px_per_m.x(), width, inside);
   clipAxis(start_px.y(), px_per_m.y(), height, inside);
   if (!(inside.leave >= inside.enter)) return kNoHit;
@@ -43,11 +47,13 @@ double castRay(const OccupancyGrid& map, const Eigen::Vector2d& start_px, const 
   const int column = std::clamp(static_cast<int>(std::floor(first.x())), 0, width - 1);
   const int row = std::clamp(static_cast<int>(std::floor(first.y())), 0, height - 1);
   const cv::Mat& states = map.states();
-  for (GridTraversal ray(start_px, px_per_m, column, row, inside.enter); ray.entered() <= range_max_m; ray.advance()) {
-    if (ray.column() < 0 || ray.row() < 0 || ray.column() >= width || ray.row() >= height) return kNoHit;
-    if (states.ptr<std::uint8_t>(ray.row())[ray.column()] == static_cast<std::uint8_t>(CellState::kOccupied)) {
-      return ray.entered();
+  for (GridTraversal ray(start_px, px_per_m, column, row, inside.enter); ray.entered() <= model.range_max_m;
+       ray.advance()) {
+    if (ray.column() < 0 || ray.row() < 0 || ray.column() >= width || ray.row() >= height) {
+      return model.stops_at_unknown ? ray.entered() : kNoHit;
     }
+    const auto state = static_cast<CellState>(states.ptr<std::uint8_t>(ray.row())[ray.column()]);
+    if (stopsBeam(state, model)) return ray.entered();
   }
   return kNoHit;
 }
@@ -78,7 +84,7 @@ Scan simulateScan(const OccupancyGrid& map, const Pose2& map_from_sensor, const 
 
   const MapFrame& frame = map.frame();
   const Eigen::Vector2d start_px = frame.pixelFromMetric(map_from_sensor.translation);
-  if (map.at(map_from_sensor.translation) == CellState::kOccupied) {
+  if (stopsBeam(map.at(map_from_sensor.translation), model)) {
     std::fill(scan.ranges_m.begin(), scan.ranges_m.end(), 0.0);
     return scan;
   }
@@ -86,7 +92,7 @@ Scan simulateScan(const OccupancyGrid& map, const Pose2& map_from_sensor, const 
   for (std::size_t beam = 0; beam < scan.ranges_m.size(); ++beam) {
     const double direction = heading_in_raster + scan.bearings_rad[beam];
     const Eigen::Vector2d px_per_m = Eigen::Vector2d(std::cos(direction), -std::sin(direction)) / frame.resolution();
-    scan.ranges_m[beam] = castRay(map, start_px, px_per_m, model.range_max_m);
+    scan.ranges_m[beam] = castRay(map, start_px, px_per_m, model);
   }
   return scan;
 }

@@ -17,6 +17,7 @@ struct LidarModel {
   double field_of_view_rad = 2.0 * kPi;
   double start_angle_rad = -kPi;
   double range_max_m = 20.0;
+  bool stops_at_unknown = false;  ///< beams also end where they enter unknown space, the outside of the raster included
 };
 
 /// One sweep: a beam that met nothing within the range has an infinite range.
@@ -28,7 +29,8 @@ struct Scan {
 };
 
 /// Casts every beam through the grid by exact cell traversal (Amanatides and Woo 1987) and stops where the beam enters
-/// the first occupied pixel. Unknown pixels are passed. A sensor inside an occupied pixel measures 0 everywhere.
+/// the first occupied pixel. Unknown pixels are passed unless the model says otherwise. A sensor inside a pixel that
+/// stops beams measures 0 everywhere.
 [[nodiscard]] Scan simulateScan(const OccupancyGrid& map, const Pose2& map_from_sensor, const LidarModel& model);
 
 }  // namespace cad2slam

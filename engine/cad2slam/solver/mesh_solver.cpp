@@ -4,6 +4,7 @@
 
 #include <Eigen/LU>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <limits>
@@ -70,6 +71,21 @@ NormalMatrix::SparseColumns derivativeColumns(const Objective& objective, const 
   return columns;
 }
 
+/// Mean of the leave-one-out residuals [m], each capped at four times their median: a wrong anchor must not decide.
+double leaveOneOutScore(const Solution& solution) {
+  std::vector<double> residuals;
+  for (const AnchorFit& fit : solution.anchors) {
+    if (fit.used && std::isfinite(fit.leave_one_out_m)) residuals.push_back(fit.leave_one_out_m);
+  }
+  if (residuals.empty()) return std::numeric_limits<double>::infinity();
+  const auto middle = residuals.begin() + static_cast<std::ptrdiff_t>(residuals.size() / 2);
+  std::nth_element(residuals.begin(), middle, residuals.end());
+  const double cap = 4.0 * *middle;
+  double sum = 0.0;
+  for (const double residual : residuals) sum += std::min(residual, cap);
+  return sum / static_cast<double>(residuals.size());
+}
+
 std::string plural(std::size_t count, const std::string& one, const std::string& many) {
   return std::to_string(count) + " " + (count == 1 ? one : many);
 }
@@ -88,6 +104,8 @@ class MeshSolver::Impl {
  private:
   Result<Solution> solveMesh(const AnchorList& anchors, const SolverSettings& settings, const Similarity2& global_fit,
                              const Solution* warm_start, const IterationCallback& on_iteration);
+  Result<SolverSettings> withChosenStiffness(const AnchorList& anchors, const SolverSettings& settings,
+                                             const IterationCallback& on_iteration);
   [[nodiscard]] MinimiserReport minimiseFrom(Eigen::VectorXd& x, const MinimiserOptions& options,
                                              const IterationCallback& on_iteration);
   void store(const Eigen::VectorXd& x, Solution& solution) const;
@@ -100,6 +118,7 @@ class MeshSolver::Impl {
   SolverBackend backend_;
   std::vector<NodeIndex> node_order_;
   NormalMatrix normal_;
+  std::unique_ptr<Impl> scout_;  // of a coarse mesh, on which stiffnesses are compared
 
   // Of the last mesh solve, for projectionSigma().
   Objective objective_;
@@ -116,7 +135,11 @@ Result<Solution> MeshSolver::Impl::solve(const AnchorList& anchors, const Solver
   const Result<Similarity2> global_fit = fitGlobally(anchors, settings.scale);
   if (!global_fit) return failAs(global_fit);
   const int places = distinctPlaces(anchors);
-  if (places >= 3) return solveMesh(anchors, settings, *global_fit, warm_start, on_iteration);
+  if (places >= 3) {
+    const Result<SolverSettings> chosen = withChosenStiffness(anchors, settings, on_iteration);
+    if (!chosen) return failAs(chosen);
+    return solveMesh(anchors, *chosen, *global_fit, warm_start, on_iteration);
+  }
 
   Solution solution = rigidSolution(*mesh_, *global_fit);
   solution.settings = withAutomaticWeights(settings, *mesh_, global_fit->scale);
@@ -136,6 +159,40 @@ Result<Solution> MeshSolver::Impl::solve(const AnchorList& anchors, const Solver
           ? "One place is anchored: only the translation is known; add an anchor far away from it."
           : "Two places are anchored: only rotation and translation are known; a third anchor lets the mesh bend.");
   return solution;
+}
+
+Result<SolverSettings> MeshSolver::Impl::withChosenStiffness(const AnchorList& anchors, const SolverSettings& settings,
+                                                             const IterationCallback& on_iteration) {
+  if (settings.model != Model::kStretch || settings.stiffness != Stiffness::kAutomatic) {
+    return withStiffness(settings, settings.stiffness);
+  }
+  constexpr std::ptrdiff_t kFewestAnchors = 5;
+  const auto used = std::count_if(anchors.begin(), anchors.end(), [](const Anchor& anchor) { return anchor.enabled; });
+  if (used < kFewestAnchors) return withStiffness(settings, Stiffness::kBalanced);
+  if (!scout_) {
+    constexpr double kScoutNodes = 500.0;
+    const double ratio = static_cast<double>(mesh_->nodeCount()) / kScoutNodes;
+    const int factor = std::max(1, static_cast<int>(std::lround(std::sqrt(ratio))));
+    scout_ = std::make_unique<Impl>(factor == 1 ? mesh_ : std::make_shared<const Mesh>(coarsened(*mesh_, factor)),
+                                    SolverBackend::kDirect);
+  }
+  constexpr double kWorthLeavingBalanced = 0.95;
+  constexpr double kGoodEnoughToJudge = 1e-5;  // of the gradient: residuals are then right to a millimetre
+  Stiffness best = Stiffness::kBalanced;
+  double best_score = std::numeric_limits<double>::infinity();
+  for (const Stiffness stiffness : {Stiffness::kBalanced, Stiffness::kSmooth, Stiffness::kLocal}) {
+    SolverSettings candidate = withStiffness(settings, stiffness);
+    candidate.gradient_tolerance = std::max(candidate.gradient_tolerance, kGoodEnoughToJudge);
+    const Result<Solution> solution = scout_->solve(anchors, candidate, nullptr, on_iteration);
+    if (!solution && solution.error().code == ErrorCode::kCancelled) return failAs(solution);
+    if (!solution) continue;
+    const double score = leaveOneOutScore(*solution);
+    if (score < best_score) {
+      best = stiffness;
+      best_score = stiffness == Stiffness::kBalanced ? kWorthLeavingBalanced * score : score;
+    }
+  }
+  return withStiffness(settings, best);
 }
 
 MinimiserReport MeshSolver::Impl::minimiseFrom(Eigen::VectorXd& x, const MinimiserOptions& options,

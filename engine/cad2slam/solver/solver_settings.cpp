@@ -10,11 +10,36 @@ SolverSettings defaultSettings(Model model) {
   if (model == Model::kRigid) {
     settings.scale = {ScaleRule::kFixed, 1.0};
     settings.lambda_theta = 10.0;
+    settings.stiffness = Stiffness::kGiven;
     settings.lambda_stretch = 0.0;
     settings.prior_strength = 0.0;
-  } else {
-    settings.loss_width_m = 1.0;
+    settings.loss_width_m.reset();
   }
+  return settings;
+}
+
+SolverSettings withStiffness(SolverSettings settings, Stiffness stiffness) {
+  switch (stiffness) {
+    case Stiffness::kGiven:
+    case Stiffness::kAutomatic:
+      return settings;
+    case Stiffness::kBalanced:
+      settings.lambda_x = 1.0;
+      settings.lambda_y = 10.0;
+      settings.lambda_stretch = 10.0;
+      break;
+    case Stiffness::kSmooth:
+      settings.lambda_x = 300.0;
+      settings.lambda_y = 3.0;
+      settings.lambda_stretch = 100.0;
+      break;
+    case Stiffness::kLocal:
+      settings.lambda_x = 1.0;
+      settings.lambda_y = 10.0;
+      settings.lambda_stretch = 1.0;
+      break;
+  }
+  settings.stiffness = stiffness;
   return settings;
 }
 

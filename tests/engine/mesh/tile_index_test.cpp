@@ -100,7 +100,7 @@ void TileIndexTest::nearestTileAgreesWithBruteForce() {
 void TileIndexTest::memoryOrderIsAPermutation() {
   const std::vector<TileCoordinate> tiles = randomTiles(500, 20, 5);
   auto index = TileIndex::create({}, tiles.data(), tiles.size());
-  const std::vector<std::uint32_t> old_numbers = index->renumberInMemoryOrder();
+  const auto old_numbers = index->renumberInMemoryOrder();
   QCOMPARE(old_numbers.size(), tiles.size());
   for (std::uint32_t k = 0; k < old_numbers.size(); ++k) {
     const TileCoordinate tile = tiles[old_numbers[k]];

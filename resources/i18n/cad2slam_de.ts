@@ -1,0 +1,2321 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="de_DE">
+<context>
+    <name>Hints</name>
+    <message>
+        <source>Choose the blueprint: drop its YAML or image into the left view</source>
+        <translation>Bauplan wählen: seine YAML-Datei oder sein Bild in die linke Ansicht ziehen</translation>
+    </message>
+    <message>
+        <source>Choose the SLAM map: drop its YAML or image into the right view</source>
+        <translation>SLAM-Karte wählen: ihre YAML-Datei oder ihr Bild in die rechte Ansicht ziehen</translation>
+    </message>
+    <message>
+        <source>Loading the images...</source>
+        <translation>Bilder werden geladen...</translation>
+    </message>
+    <message>
+        <source>An image is missing; see the message above</source>
+        <translation>Ein Bild fehlt; siehe die Meldung oben</translation>
+    </message>
+    <message>
+        <source>Anchors are locked for looking only (K unlocks)</source>
+        <translation>Anker sind gesperrt, nur zum Ansehen (K entsperrt)</translation>
+    </message>
+    <message>
+        <source>Click the same place in the SLAM map, or press Enter to take the dashed ring (Esc cancels)</source>
+        <translation>Dieselbe Stelle in der SLAM-Karte anklicken, oder Eingabe nimmt den gestrichelten Ring (Esc bricht ab)</translation>
+    </message>
+    <message>
+        <source>Click the same place in the blueprint, or press Enter to take the dashed ring (Esc cancels)</source>
+        <translation>Dieselbe Stelle im Bauplan anklicken, oder Eingabe nimmt den gestrichelten Ring (Esc bricht ab)</translation>
+    </message>
+    <message>
+        <source>Now click the same place in the SLAM map (Esc cancels)</source>
+        <translation>Jetzt dieselbe Stelle in der SLAM-Karte anklicken (Esc bricht ab)</translation>
+    </message>
+    <message>
+        <source>Now click the same place in the blueprint (Esc cancels)</source>
+        <translation>Jetzt dieselbe Stelle im Bauplan anklicken (Esc bricht ab)</translation>
+    </message>
+    <message>
+        <source>Click a corner or pillar in either view</source>
+        <translation>Eine Ecke oder einen Pfeiler in einer der Ansichten anklicken</translation>
+    </message>
+    <message>
+        <source>Rotation unknown: add another anchor far away from the first</source>
+        <translation>Drehung unbekannt: einen zweiten Anker weit weg vom ersten setzen</translation>
+    </message>
+    <message>
+        <source>Rough alignment; add more anchors, best in rooms that have none yet</source>
+        <translation>Grobe Ausrichtung; weitere Anker setzen, am besten in Räumen ohne Anker</translation>
+    </message>
+    <message>
+        <source>Add a fourth anchor, then each one is checked by the others</source>
+        <translation>Einen vierten Anker setzen, dann prüfen die anderen jeden einzelnen</translation>
+    </message>
+    <message>
+        <source>Add anchors where the overlay is off; look at the worst one with N</source>
+        <translation>Anker setzen, wo die Überlagerung nicht passt; den schlechtesten zeigt N</translation>
+    </message>
+    <message>
+        <source>no alignment</source>
+        <translation>keine Ausrichtung</translation>
+    </message>
+    <message>
+        <source>Both images are needed</source>
+        <translation>Beide Bilder werden gebraucht</translation>
+    </message>
+    <message>
+        <source>no anchors</source>
+        <translation>keine Anker</translation>
+    </message>
+    <message>
+        <source>Nothing to solve yet</source>
+        <translation>Noch nichts zu lösen</translation>
+    </message>
+    <message>
+        <source>solving...</source>
+        <translation>löst...</translation>
+    </message>
+    <message>
+        <source>Click to stop (Ctrl+.)</source>
+        <translation>Klick hält an (Strg+.)</translation>
+    </message>
+    <message>
+        <source>up to date, %1 s</source>
+        <translation>aktuell, %1 s</translation>
+    </message>
+    <message>
+        <source>%1 nodes, %2 iterations</source>
+        <translation>%1 Knoten, %2 Iterationen</translation>
+    </message>
+    <message>
+        <source>failed</source>
+        <translation>fehlgeschlagen</translation>
+    </message>
+    <message>
+        <source>stopped</source>
+        <translation>angehalten</translation>
+    </message>
+    <message>
+        <source>Click to solve again (F5)</source>
+        <translation>Klick löst noch einmal (F5)</translation>
+    </message>
+</context>
+<context>
+    <name>Menus</name>
+    <message>
+        <source>&amp;File</source>
+        <translation>&amp;Datei</translation>
+    </message>
+    <message>
+        <source>Open &amp;recent</source>
+        <translation>&amp;Zuletzt geöffnet</translation>
+    </message>
+    <message>
+        <source>&amp;Edit</source>
+        <translation>&amp;Bearbeiten</translation>
+    </message>
+    <message>
+        <source>&amp;Maps</source>
+        <translation>&amp;Karten</translation>
+    </message>
+    <message>
+        <source>SLAM map being &amp;edited</source>
+        <translation>&amp;Bearbeitete SLAM-Karte</translation>
+    </message>
+    <message>
+        <source>&amp;View</source>
+        <translation>&amp;Ansicht</translation>
+    </message>
+    <message>
+        <source>P&amp;anels</source>
+        <translation>&amp;Bereiche</translation>
+    </message>
+    <message>
+        <source>&amp;Tools</source>
+        <translation>&amp;Werkzeuge</translation>
+    </message>
+    <message>
+        <source>&amp;Help</source>
+        <translation>&amp;Hilfe</translation>
+    </message>
+    <message>
+        <source>Main tool bar</source>
+        <translation>Hauptwerkzeugleiste</translation>
+    </message>
+</context>
+<context>
+    <name>ProgramActions</name>
+    <message>
+        <source>The language changes at the next start of the program</source>
+        <translation>Die Sprache wechselt beim nächsten Start des Programms</translation>
+    </message>
+    <message>
+        <source>Save report</source>
+        <translation>Bericht speichern</translation>
+    </message>
+    <message>
+        <source>PDF (*.pdf)</source>
+        <translation>PDF (*.pdf)</translation>
+    </message>
+    <message>
+        <source>About CAD2SLAM</source>
+        <translation>Über CAD2SLAM</translation>
+    </message>
+    <message>
+        <source>&lt;h3&gt;CAD2SLAM %1&lt;/h3&gt;&lt;p&gt;Projects poses between building blueprints and robot SLAM maps.&lt;/p&gt;&lt;p&gt;Apache License 2.0. Uses Qt, Ceres, SuiteSparse, OpenCV and Eigen.&lt;/p&gt;</source>
+        <translation>&lt;h3&gt;CAD2SLAM %1&lt;/h3&gt;&lt;p&gt;Überträgt Posen zwischen Bauplänen und SLAM-Karten von Robotern.&lt;/p&gt;&lt;p&gt;Apache-Lizenz 2.0. Verwendet Qt, Ceres, SuiteSparse, OpenCV und Eigen.&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <source>Preview</source>
+        <translation>Vorschau</translation>
+    </message>
+    <message>
+        <source>Blueprint</source>
+        <translation>Bauplan</translation>
+    </message>
+    <message>
+        <source>SLAM map</source>
+        <translation>SLAM-Karte</translation>
+    </message>
+    <message>
+        <source>Report written to %1</source>
+        <translation>Bericht nach %1 geschrieben</translation>
+    </message>
+    <message>
+        <source>Show poses from file</source>
+        <translation>Posen aus Datei zeigen</translation>
+    </message>
+    <message>
+        <source>Poses (*.csv *.txt);;All files (*)</source>
+        <translation>Posen (*.csv *.txt);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Show poses</source>
+        <translation>Posen zeigen</translation>
+    </message>
+    <message>
+        <source>The poses are in the frame of the:</source>
+        <translation>Die Posen gelten im Rahmen von:</translation>
+    </message>
+    <message>
+        <source>%1 poses shown</source>
+        <translation>%1 Posen gezeigt</translation>
+    </message>
+    <message>
+        <source>No line of %1 starts with two numbers x, y</source>
+        <translation>Keine Zeile von %1 beginnt mit zwei Zahlen x, y</translation>
+    </message>
+</context>
+<context>
+    <name>Report</name>
+    <message>
+        <source>OK</source>
+        <translation>OK</translation>
+    </message>
+    <message>
+        <source>look</source>
+        <translation>ansehen</translation>
+    </message>
+    <message>
+        <source>bad</source>
+        <translation>schlecht</translation>
+    </message>
+    <message>
+        <source>off (check)</source>
+        <translation>aus (Kontrolle)</translation>
+    </message>
+    <message>
+        <source>%1 m/px</source>
+        <translation>%1 m/px</translation>
+    </message>
+    <message>
+        <source>Project not saved</source>
+        <translation>Projekt nicht gespeichert</translation>
+    </message>
+    <message>
+        <source>CAD2SLAM %1, %2</source>
+        <translation>CAD2SLAM %1, %2</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>Ergebnis</translation>
+    </message>
+    <message>
+        <source>Anchors used</source>
+        <translation>Benutzte Anker</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 von %2</translation>
+    </message>
+    <message>
+        <source>RMS of the residuals</source>
+        <translation>Quadratisches Mittel der Restfehler</translation>
+    </message>
+    <message>
+        <source>Largest residual</source>
+        <translation>Größter Restfehler</translation>
+    </message>
+    <message>
+        <source>Median error without the anchor itself</source>
+        <translation>Mittlerer Fehler ohne den Anker selbst (Median)</translation>
+    </message>
+    <message>
+        <source>Turn and scale of the SLAM map</source>
+        <translation>Drehung und Maßstab der SLAM-Karte</translation>
+    </message>
+    <message>
+        <source>%1°, %2</source>
+        <translation>%1°, %2</translation>
+    </message>
+    <message>
+        <source>Mesh</source>
+        <translation>Netz</translation>
+    </message>
+    <message>
+        <source>%1 nodes, cells of %2 m, folded tiles: %3</source>
+        <translation>%1 Knoten, Zellen von %2 m, gefaltete Kacheln: %3</translation>
+    </message>
+    <message>
+        <source>To look at</source>
+        <translation>Anzusehen</translation>
+    </message>
+    <message>
+        <source>Anchors</source>
+        <translation>Anker</translation>
+    </message>
+    <message>
+        <source>#</source>
+        <translation>#</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>Blueprint x, y (m)</source>
+        <translation>Bauplan x, y (m)</translation>
+    </message>
+    <message>
+        <source>SLAM map x, y (m)</source>
+        <translation>SLAM-Karte x, y (m)</translation>
+    </message>
+    <message>
+        <source>Residual</source>
+        <translation>Restfehler</translation>
+    </message>
+    <message>
+        <source>Without it</source>
+        <translation>Ohne ihn</translation>
+    </message>
+    <message>
+        <source>Verdict</source>
+        <translation>Urteil</translation>
+    </message>
+    <message>
+        <source>Note</source>
+        <translation>Notiz</translation>
+    </message>
+    <message>
+        <source>Images</source>
+        <translation>Bilder</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>Datei</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Größe</translation>
+    </message>
+    <message>
+        <source>Resolution</source>
+        <translation>Auflösung</translation>
+    </message>
+    <message>
+        <source>SHA-256 (first 16)</source>
+        <translation>SHA-256 (erste 16)</translation>
+    </message>
+    <message>
+        <source>Blueprint</source>
+        <translation>Bauplan</translation>
+    </message>
+    <message>
+        <source>SLAM map</source>
+        <translation>SLAM-Karte</translation>
+    </message>
+    <message>
+        <source>CAD2SLAM report</source>
+        <translation>CAD2SLAM-Bericht</translation>
+    </message>
+</context>
+<context>
+    <name>StatusStrip</name>
+    <message>
+        <source>What to do next</source>
+        <translation>Was als Nächstes zu tun ist</translation>
+    </message>
+</context>
+<context>
+    <name>cad2slam::Actions</name>
+    <message>
+        <source>&amp;New project</source>
+        <translation>&amp;Neues Projekt</translation>
+    </message>
+    <message>
+        <source>Start with an empty project</source>
+        <translation>Mit einem leeren Projekt beginnen</translation>
+    </message>
+    <message>
+        <source>&amp;Open project...</source>
+        <translation>Projekt ö&amp;ffnen...</translation>
+    </message>
+    <message>
+        <source>Open a project file</source>
+        <translation>Eine Projektdatei öffnen</translation>
+    </message>
+    <message>
+        <source>&amp;Save project</source>
+        <translation>Projekt &amp;speichern</translation>
+    </message>
+    <message>
+        <source>Save the project</source>
+        <translation>Das Projekt speichern</translation>
+    </message>
+    <message>
+        <source>Save project &amp;as...</source>
+        <translation>Projekt speichern &amp;unter...</translation>
+    </message>
+    <message>
+        <source>Save the project under another name</source>
+        <translation>Das Projekt unter anderem Namen speichern</translation>
+    </message>
+    <message>
+        <source>Choose &amp;blueprint...</source>
+        <translation>&amp;Bauplan wählen...</translation>
+    </message>
+    <message>
+        <source>Choose the plan of the building: a map YAML or an image</source>
+        <translation>Den Plan des Gebäudes wählen: Karten-YAML oder Bild</translation>
+    </message>
+    <message>
+        <source>Add SLAM &amp;map...</source>
+        <translation>SLAM-&amp;Karte hinzufügen...</translation>
+    </message>
+    <message>
+        <source>Add a robot's map: a map YAML or an image</source>
+        <translation>Die Karte eines Roboters hinzufügen: Karten-YAML oder Bild</translation>
+    </message>
+    <message>
+        <source>&amp;Import anchors...</source>
+        <translation>Anker &amp;importieren...</translation>
+    </message>
+    <message>
+        <source>Read anchors from a CSV file</source>
+        <translation>Anker aus einer CSV-Datei lesen</translation>
+    </message>
+    <message>
+        <source>Export an&amp;chors...</source>
+        <translation>Anker e&amp;xportieren...</translation>
+    </message>
+    <message>
+        <source>Write the anchors to a CSV file</source>
+        <translation>Die Anker in eine CSV-Datei schreiben</translation>
+    </message>
+    <message>
+        <source>&amp;Export projector...</source>
+        <translation>&amp;Projektor exportieren...</translation>
+    </message>
+    <message>
+        <source>Write the file that robots use</source>
+        <translation>Die Datei schreiben, die Roboter benutzen</translation>
+    </message>
+    <message>
+        <source>Inspect a pro&amp;jector...</source>
+        <translation>Pro&amp;jektor ansehen...</translation>
+    </message>
+    <message>
+        <source>Tell what a projector file was made from</source>
+        <translation>Zeigen, woraus ein Projektor gemacht wurde</translation>
+    </message>
+    <message>
+        <source>Save &amp;report...</source>
+        <translation>Be&amp;richt speichern...</translation>
+    </message>
+    <message>
+        <source>Write a report with pictures as PDF</source>
+        <translation>Einen Bericht mit Bildern als PDF schreiben</translation>
+    </message>
+    <message>
+        <source>Se&amp;ttings...</source>
+        <translation>&amp;Einstellungen...</translation>
+    </message>
+    <message>
+        <source>Solver, limits and appearance</source>
+        <translation>Löser, Grenzen und Aussehen</translation>
+    </message>
+    <message>
+        <source>&amp;Quit</source>
+        <translation>B&amp;eenden</translation>
+    </message>
+    <message>
+        <source>Close the program</source>
+        <translation>Das Programm schließen</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>&amp;Rückgängig</translation>
+    </message>
+    <message>
+        <source>Take back the last step</source>
+        <translation>Den letzten Schritt zurücknehmen</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>&amp;Wiederholen</translation>
+    </message>
+    <message>
+        <source>Do the step again</source>
+        <translation>Den Schritt noch einmal tun</translation>
+    </message>
+    <message>
+        <source>&amp;Delete</source>
+        <translation>&amp;Löschen</translation>
+    </message>
+    <message>
+        <source>Delete the selected anchors</source>
+        <translation>Die ausgewählten Anker löschen</translation>
+    </message>
+    <message>
+        <source>&amp;Use / do not use</source>
+        <translation>&amp;Benutzen / nicht benutzen</translation>
+    </message>
+    <message>
+        <source>Switch the selected anchors on or off</source>
+        <translation>Die ausgewählten Anker ein- oder ausschalten</translation>
+    </message>
+    <message>
+        <source>Re&amp;name...</source>
+        <translation>Umbe&amp;nennen...</translation>
+    </message>
+    <message>
+        <source>Give the selected anchor a name</source>
+        <translation>Dem ausgewählten Anker einen Namen geben</translation>
+    </message>
+    <message>
+        <source>&amp;Type coordinates...</source>
+        <translation>Koordinaten ein&amp;geben...</translation>
+    </message>
+    <message>
+        <source>Add an anchor, or change the selected one, by numbers</source>
+        <translation>Einen Anker durch Zahlen hinzufügen oder den ausgewählten ändern</translation>
+    </message>
+    <message>
+        <source>S&amp;wap counterparts</source>
+        <translation>&amp;Gegenstücke tauschen</translation>
+    </message>
+    <message>
+        <source>Exchange the SLAM points of the two selected anchors</source>
+        <translation>Die SLAM-Punkte der zwei ausgewählten Anker tauschen</translation>
+    </message>
+    <message>
+        <source>Select &amp;all</source>
+        <translation>&amp;Alle auswählen</translation>
+    </message>
+    <message>
+        <source>Select all anchors</source>
+        <translation>Alle Anker auswählen</translation>
+    </message>
+    <message>
+        <source>Disable &amp;worst</source>
+        <translation>&amp;Schlechtesten abschalten</translation>
+    </message>
+    <message>
+        <source>Do not use the anchor with the largest error</source>
+        <translation>Den Anker mit dem größten Fehler nicht benutzen</translation>
+    </message>
+    <message>
+        <source>&amp;Lock anchors</source>
+        <translation>Anker s&amp;perren</translation>
+    </message>
+    <message>
+        <source>Look only: no anchor can be changed</source>
+        <translation>Nur ansehen: kein Anker kann geändert werden</translation>
+    </message>
+    <message>
+        <source>&amp;Snap to corners</source>
+        <translation>An &amp;Ecken einrasten</translation>
+    </message>
+    <message>
+        <source>Clicks go to the corner that is shown; hold Alt to suspend</source>
+        <translation>Klicks gehen zur gezeigten Ecke; Alt gedrückt halten setzt aus</translation>
+    </message>
+    <message>
+        <source>&amp;Rescale blueprint...</source>
+        <translation>Bauplan &amp;skalieren...</translation>
+    </message>
+    <message>
+        <source>Correct the scale of the blueprint; anchors keep their places</source>
+        <translation>Den Maßstab des Bauplans berichtigen; Anker behalten ihre Stelle</translation>
+    </message>
+    <message>
+        <source>&amp;Mirror blueprint</source>
+        <translation>Bauplan &amp;spiegeln</translation>
+    </message>
+    <message>
+        <source>Mirror the blueprint left to right; anchors keep their places</source>
+        <translation>Den Bauplan links-rechts spiegeln; Anker behalten ihre Stelle</translation>
+    </message>
+    <message>
+        <source>Rename SLAM map...</source>
+        <translation>SLAM-Karte umbenennen...</translation>
+    </message>
+    <message>
+        <source>Give the SLAM map another name</source>
+        <translation>Der SLAM-Karte einen anderen Namen geben</translation>
+    </message>
+    <message>
+        <source>Remove SLAM map</source>
+        <translation>SLAM-Karte entfernen</translation>
+    </message>
+    <message>
+        <source>Take this SLAM map and its anchors out of the project</source>
+        <translation>Diese SLAM-Karte und ihre Anker aus dem Projekt nehmen</translation>
+    </message>
+    <message>
+        <source>&amp;Copy anchors from...</source>
+        <translation>Anker &amp;kopieren von...</translation>
+    </message>
+    <message>
+        <source>Take over the blueprint points of another SLAM map's anchors</source>
+        <translation>Die Bauplanpunkte der Anker einer anderen SLAM-Karte übernehmen</translation>
+    </message>
+    <message>
+        <source>&amp;Fit</source>
+        <translation>Ein&amp;passen</translation>
+    </message>
+    <message>
+        <source>Show the whole picture</source>
+        <translation>Das ganze Bild zeigen</translation>
+    </message>
+    <message>
+        <source>&amp;100 %</source>
+        <translation>&amp;100 %</translation>
+    </message>
+    <message>
+        <source>One image pixel for each screen pixel</source>
+        <translation>Ein Bildpixel je Bildschirmpixel</translation>
+    </message>
+    <message>
+        <source>Zoom &amp;in</source>
+        <translation>&amp;Vergrößern</translation>
+    </message>
+    <message>
+        <source>Show less, larger</source>
+        <translation>Weniger zeigen, größer</translation>
+    </message>
+    <message>
+        <source>Zoom &amp;out</source>
+        <translation>Ver&amp;kleinern</translation>
+    </message>
+    <message>
+        <source>Show more, smaller</source>
+        <translation>Mehr zeigen, kleiner</translation>
+    </message>
+    <message>
+        <source>Turn &amp;left</source>
+        <translation>Nach &amp;links drehen</translation>
+    </message>
+    <message>
+        <source>Turn this view by 15 degrees to the left</source>
+        <translation>Diese Ansicht um 15 Grad nach links drehen</translation>
+    </message>
+    <message>
+        <source>Turn &amp;right</source>
+        <translation>Nach &amp;rechts drehen</translation>
+    </message>
+    <message>
+        <source>Turn this view by 15 degrees to the right</source>
+        <translation>Diese Ansicht um 15 Grad nach rechts drehen</translation>
+    </message>
+    <message>
+        <source>Turn &amp;back</source>
+        <translation>&amp;Zurückdrehen</translation>
+    </message>
+    <message>
+        <source>Show this view upright again</source>
+        <translation>Diese Ansicht wieder aufrecht zeigen</translation>
+    </message>
+    <message>
+        <source>&amp;Centre on anchor</source>
+        <translation>Auf Anker &amp;zentrieren</translation>
+    </message>
+    <message>
+        <source>Show the selected anchor in the middle of both views</source>
+        <translation>Den ausgewählten Anker in beiden Ansichten in die Mitte stellen</translation>
+    </message>
+    <message>
+        <source>&amp;Next by error</source>
+        <translation>&amp;Nächster nach Fehler</translation>
+    </message>
+    <message>
+        <source>Go to the anchor with the next smaller error</source>
+        <translation>Zum Anker mit dem nächstkleineren Fehler gehen</translation>
+    </message>
+    <message>
+        <source>&amp;Previous by error</source>
+        <translation>&amp;Voriger nach Fehler</translation>
+    </message>
+    <message>
+        <source>Go to the anchor with the next larger error</source>
+        <translation>Zum Anker mit dem nächstgrößeren Fehler gehen</translation>
+    </message>
+    <message>
+        <source>Lin&amp;k views</source>
+        <translation>Ansichten &amp;koppeln</translation>
+    </message>
+    <message>
+        <source>Both views show the same place, turned the same way</source>
+        <translation>Beide Ansichten zeigen dieselbe Stelle, gleich gedreht</translation>
+    </message>
+    <message>
+        <source>Other view goes &amp;here</source>
+        <translation>Andere Ansicht &amp;hierher</translation>
+    </message>
+    <message>
+        <source>The other view shows what this one shows</source>
+        <translation>Die andere Ansicht zeigt, was diese zeigt</translation>
+    </message>
+    <message>
+        <source>Go where the &amp;other is</source>
+        <translation>Dorthin, wo die &amp;andere ist</translation>
+    </message>
+    <message>
+        <source>This view shows what the other one shows</source>
+        <translation>Diese Ansicht zeigt, was die andere zeigt</translation>
+    </message>
+    <message>
+        <source>&amp;Loupe</source>
+        <translation>&amp;Lupe</translation>
+    </message>
+    <message>
+        <source>Magnify what is under the cursor; hold Z for a moment</source>
+        <translation>Vergrößern, was unter dem Zeiger ist; Z halten für einen Augenblick</translation>
+    </message>
+    <message>
+        <source>&amp;Markers</source>
+        <translation>&amp;Marken</translation>
+    </message>
+    <message>
+        <source>Show or hide the anchors</source>
+        <translation>Die Anker zeigen oder verbergen</translation>
+    </message>
+    <message>
+        <source>&amp;Labels</source>
+        <translation>&amp;Beschriftung</translation>
+    </message>
+    <message>
+        <source>Show or hide numbers and names</source>
+        <translation>Nummern und Namen zeigen oder verbergen</translation>
+    </message>
+    <message>
+        <source>M&amp;esh</source>
+        <translation>N&amp;etz</translation>
+    </message>
+    <message>
+        <source>Show the mesh; colours tell how much it is stretched</source>
+        <translation>Das Netz zeigen; Farben sagen, wie sehr es gedehnt ist</translation>
+    </message>
+    <message>
+        <source>Resi&amp;duals</source>
+        <translation>&amp;Restfehler</translation>
+    </message>
+    <message>
+        <source>Show what each anchor misses</source>
+        <translation>Zeigen, was jedem Anker fehlt</translation>
+    </message>
+    <message>
+        <source>Residuals &amp;x10</source>
+        <translation>Restfehler &amp;x10</translation>
+    </message>
+    <message>
+        <source>Draw residuals ten times as long</source>
+        <translation>Restfehler zehnmal so lang zeichnen</translation>
+    </message>
+    <message>
+        <source>Test &amp;pose</source>
+        <translation>Test&amp;pose</translation>
+    </message>
+    <message>
+        <source>Drag a robot in either view and see it in the other</source>
+        <translation>Einen Roboter in einer Ansicht ziehen und in der anderen sehen</translation>
+    </message>
+    <message>
+        <source>Show poses &amp;from file...</source>
+        <translation>Posen aus &amp;Datei zeigen...</translation>
+    </message>
+    <message>
+        <source>Show a CSV of poses in both views</source>
+        <translation>Eine CSV mit Posen in beiden Ansichten zeigen</translation>
+    </message>
+    <message>
+        <source>Plan a pa&amp;th</source>
+        <translation>&amp;Weg planen</translation>
+    </message>
+    <message>
+        <source>Show the way from the first to the second test pose in both views</source>
+        <translation>Den Weg von der ersten zur zweiten Testpose in beiden Ansichten zeigen</translation>
+    </message>
+    <message>
+        <source>Next part of the window</source>
+        <translation>Nächster Teil des Fensters</translation>
+    </message>
+    <message>
+        <source>Go on with the keyboard in the next part of the window</source>
+        <translation>Mit der Tastatur im nächsten Teil des Fensters weitermachen</translation>
+    </message>
+    <message>
+        <source>&amp;Solve again</source>
+        <translation>Noch einmal &amp;lösen</translation>
+    </message>
+    <message>
+        <source>Compute the alignment again</source>
+        <translation>Die Ausrichtung noch einmal berechnen</translation>
+    </message>
+    <message>
+        <source>St&amp;op solving</source>
+        <translation>Lösen an&amp;halten</translation>
+    </message>
+    <message>
+        <source>Stop the computation; the last result stays</source>
+        <translation>Die Berechnung anhalten; das letzte Ergebnis bleibt</translation>
+    </message>
+    <message>
+        <source>Next preview &amp;mode</source>
+        <translation>Nächste &amp;Vorschauart</translation>
+    </message>
+    <message>
+        <source>Overlay, two inks, swipe, blink, lens, ...</source>
+        <translation>Überlagerung, zwei Tinten, Wischen, Blinken, Linse, ...</translation>
+    </message>
+    <message>
+        <source>&amp;Less overlay</source>
+        <translation>&amp;Weniger Überlagerung</translation>
+    </message>
+    <message>
+        <source>Make the overlay more transparent</source>
+        <translation>Die Überlagerung durchsichtiger machen</translation>
+    </message>
+    <message>
+        <source>M&amp;ore overlay</source>
+        <translation>&amp;Mehr Überlagerung</translation>
+    </message>
+    <message>
+        <source>Make the overlay more opaque</source>
+        <translation>Die Überlagerung deckender machen</translation>
+    </message>
+    <message>
+        <source>Swap preview &amp;direction</source>
+        <translation>&amp;Richtung der Vorschau tauschen</translation>
+    </message>
+    <message>
+        <source>Blueprint over SLAM map, or SLAM map over blueprint</source>
+        <translation>Bauplan über SLAM-Karte oder SLAM-Karte über Bauplan</translation>
+    </message>
+    <message>
+        <source>&amp;High contrast</source>
+        <translation>&amp;Hoher Kontrast</translation>
+    </message>
+    <message>
+        <source>For bright sunlight</source>
+        <translation>Für helle Sonne</translation>
+    </message>
+    <message>
+        <source>&amp;Keys</source>
+        <translation>&amp;Tasten</translation>
+    </message>
+    <message>
+        <source>All keys on one page</source>
+        <translation>Alle Tasten auf einer Seite</translation>
+    </message>
+    <message>
+        <source>&amp;Guided tour</source>
+        <translation>&amp;Geführter Rundgang</translation>
+    </message>
+    <message>
+        <source>A few steps on a sample building</source>
+        <translation>Ein paar Schritte an einem Beispielgebäude</translation>
+    </message>
+    <message>
+        <source>&amp;About CAD2SLAM</source>
+        <translation>&amp;Über CAD2SLAM</translation>
+    </message>
+    <message>
+        <source>Version and licence</source>
+        <translation>Version und Lizenz</translation>
+    </message>
+</context>
+<context>
+    <name>cad2slam::AnchorEditing</name>
+    <message>
+        <source>&amp;Undo: %1</source>
+        <translation>&amp;Rückgängig: %1</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>&amp;Rückgängig</translation>
+    </message>
+    <message>
+        <source>&amp;Redo: %1</source>
+        <translation>&amp;Wiederholen: %1</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>&amp;Wiederholen</translation>
+    </message>
+    <message>
+        <source>Anchor %1 deleted</source>
+        <translation>Anker %1 gelöscht</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n anchor(s) deleted</source>
+        <translation><numerusform>%n Anker gelöscht</numerusform><numerusform>%n Anker gelöscht</numerusform></translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Rückgängig</translation>
+    </message>
+    <message>
+        <source>Anchor %1 is no longer used; it was off by %2</source>
+        <translation>Anker %1 wird nicht mehr benutzt; er lag %2 daneben</translation>
+    </message>
+    <message>
+        <source>Rescale blueprint</source>
+        <translation>Bauplan skalieren</translation>
+    </message>
+    <message>
+        <source>Metres for each pixel of the blueprint:</source>
+        <translation>Meter je Pixel des Bauplans:</translation>
+    </message>
+    <message>
+        <source>"%1" is not a length above zero</source>
+        <translation>„%1“ ist keine Länge über null</translation>
+    </message>
+    <message>
+        <source>Copy anchors</source>
+        <translation>Anker kopieren</translation>
+    </message>
+    <message>
+        <source>From SLAM map:</source>
+        <translation>Von SLAM-Karte:</translation>
+    </message>
+    <message>
+        <source>copied from %1; move its SLAM point to the right place, then switch it on</source>
+        <translation>kopiert von %1; seinen SLAM-Punkt an die richtige Stelle schieben, dann einschalten</translation>
+    </message>
+    <message>
+        <source>copy anchors from %1</source>
+        <translation>Anker kopieren von %1</translation>
+    </message>
+</context>
+<context>
+    <name>cad2slam::AnchorPanel</name>
+    <message>
+        <source>Anchors</source>
+        <translation>Anker</translation>
+    </message>
+    <message>
+        <source>No anchors yet. Click a corner or pillar in either view, then the same place in the other.</source>
+        <translation>Noch keine Anker. Eine Ecke oder einen Pfeiler in einer Ansicht anklicken, dann dieselbe Stelle in der anderen.</translation>
+    </message>
+    <message>
+        <source>Anchors that take part, of all anchors</source>
+        <translation>Anker, die mitwirken, von allen Ankern</translation>
+    </message>
+    <message>
+        <source>Root mean square of the residuals of the anchors used</source>
+        <translation>Quadratisches Mittel der Restfehler der benutzten Anker</translation>
+    </message>
+    <message>
+        <source>Largest residual of the anchors used</source>
+        <translation>Größter Restfehler der benutzten Anker</translation>
+    </message>
+    <message>
+        <source>Middle of what each anchor would be missed by without itself: an honest guess of the error elsewhere</source>
+        <translation>Mitte dessen, um wie viel jeder Anker ohne sich selbst verfehlt würde: eine ehrliche Schätzung des Fehlers anderswo</translation>
+    </message>
+    <message>
+        <source>Share of the walls of the SLAM map that lie within 10 cm of a wall of the blueprint</source>
+        <translation>Anteil der Wände der SLAM-Karte, die höchstens 10 cm von einer Wand des Bauplans liegen</translation>
+    </message>
+    <message>
+        <source>Used %1 of %2</source>
+        <translation>Benutzt %1 von %2</translation>
+    </message>
+    <message>
+        <source>RMS %1</source>
+        <translation>Mittel (RMS) %1</translation>
+    </message>
+    <message>
+        <source>Largest %1</source>
+        <translation>Größter %1</translation>
+    </message>
+    <message>
+        <source>Without-it median %1</source>
+        <translation>Median ohne Anker %1</translation>
+    </message>
+    <message>
+        <source>Walls matched %1 %</source>
+        <translation>Wände getroffen %1 %</translation>
+    </message>
+</context>
+<context>
+    <name>cad2slam::AnchorTableModel</name>
+    <message>
+        <source>OK</source>
+        <translation>OK</translation>
+    </message>
+    <message>
+        <source>look</source>
+        <translation>ansehen</translation>
+    </message>
+    <message>
+        <source>bad</source>
+        <translation>schlecht</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation>aus</translation>
+    </message>
+    <message>
+        <source>snapped</source>
+        <translation>eingerastet</translation>
+    </message>
+    <message>
+        <source>Without anchor %1 the alignment would be off by %2 here</source>
+        <translation>Ohne Anker %1 läge die Ausrichtung hier %2 daneben</translation>
+    </message>
+    <message>
+        <source>Not used: the other anchors put this place %1 from where you clicked</source>
+        <translation>Nicht benutzt: die anderen Anker legen diese Stelle %1 neben den Klick</translation>
+    </message>
+    <message>
+        <source>The alignment puts this place %1 from where you clicked</source>
+        <translation>Die Ausrichtung legt diese Stelle %1 neben den Klick</translation>
+    </message>
+    <message>
+        <source>anchor %1, used</source>
+        <translation>Anker %1, benutzt</translation>
+    </message>
+    <message>
+        <source>anchor %1, not used</source>
+        <translation>Anker %1, nicht benutzt</translation>
+    </message>
+    <message>
+        <source>On</source>
+        <translation>An</translation>
+    </message>
+    <message>
+        <source>#</source>
+        <translation>#</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>Blueprint x (m)</source>
+        <translation>Bauplan x (m)</translation>
+    </message>
+    <message>
+        <source>Blueprint y (m)</source>
+        <translation>Bauplan y (m)</translation>
+    </message>
+    <message>
+        <source>SLAM map x (m)</source>
+        <translation>SLAM-Karte x (m)</translation>
+    </message>
+    <message>
+        <source>SLAM map y (m)</source>
+        <translation>SLAM-Karte y (m)</translation>
+    </message>
+    <message>
+        <source>Residual (cm)</source>
+        <translation>Restfehler (cm)</translation>
+    </message>
+    <message>
+        <source>Without it (cm)</source>
+        <translation>Ohne ihn (cm)</translation>
+    </message>
+    <message>
+        <source>Flag</source>
+        <translation>Urteil</translation>
+    </message>
+    <message>
+        <source>Note</source>
+        <translation>Notiz</translation>
+    </message>
+    <message>
+        <source>Whether the anchor takes part; one that does not is kept as a check (X)</source>
+        <translation>Ob der Anker mitwirkt; einer, der es nicht tut, bleibt als Kontrolle (X)</translation>
+    </message>
+    <message>
+        <source>Distance between where the alignment puts the anchor and where you clicked</source>
+        <translation>Abstand zwischen der Stelle, an die die Ausrichtung den Anker legt, und dem Klick</translation>
+    </message>
+    <message>
+        <source>How far off the alignment would be here without this anchor (from 4 anchors on)</source>
+        <translation>Wie weit die Ausrichtung hier ohne diesen Anker danebenläge (ab 4 Ankern)</translation>
+    </message>
+    <message>
+        <source>● OK, ◆ have a look, ■ bad, ○ off; the limits are in the settings</source>
+        <translation>● OK, ◆ ansehen, ■ schlecht, ○ aus; die Grenzen stehen in den Einstellungen</translation>
+    </message>
+</context>
+<context>
+    <name>cad2slam::Autosave</name>
+    <message>
+        <source>%1 cannot be created, so nothing is autosaved</source>
+        <translation>%1 kann nicht angelegt werden, darum wird nichts automatisch gesichert</translation>
+    </message>
+</context>
+<context>
+    <name>cad2slam::CheatSheet</name>
+    <message>
+        <source>Keys and mouse</source>
+        <translation>Tasten und Maus</translation>
+    </message>
+    <message>
+        <source>Click</source>
+        <translation>Klick</translation>
+    </message>
+    <message>
+        <source>Place one half of an anchor; the click in the other view completes it</source>
+        <translation>Eine Hälfte eines Ankers setzen; der Klick in der anderen Ansicht vollendet ihn</translation>
+    </message>
+    <message>
+        <source>Enter</source>
+        <translation>Eingabe</translation>
+    </message>
+    <message>
+        <source>Take the predicted place for the other half</source>
+        <translation>Die vorhergesagte Stelle für die andere Hälfte nehmen</translation>
+    </message>
+    <message>
+        <source>Esc, right click</source>
+        <translation>Esc, Rechtsklick</translation>
+    </message>
+    <message>
+        <source>Drop the half that waits; never closes the window</source>
+        <translation>Die wartende Hälfte fallen lassen; schließt nie das Fenster</translation>
+    </message>
+    <message>
+        <source>Drag an anchor</source>
+        <translation>Einen Anker ziehen</translation>
+    </message>
+    <message>
+        <source>Move it; Esc while dragging puts it back</source>
+        <translation>Ihn verschieben; Esc beim Ziehen legt ihn zurück</translation>
+    </message>
+    <message>
+        <source>Drag elsewhere, middle button, Space + drag</source>
+        <translation>Anderswo ziehen, mittlere Taste, Leertaste + ziehen</translation>
+    </message>
+    <message>
+        <source>Move the map</source>
+        <translation>Die Karte verschieben</translation>
+    </message>
+    <message>
+        <source>Wheel</source>
+        <translation>Rad</translation>
+    </message>
+    <message>
+        <source>Zoom at the cursor</source>
+        <translation>Am Zeiger vergrößern</translation>
+    </message>
+    <message>
+        <source>Arrow keys</source>
+        <translation>Pfeiltasten</translation>
+    </message>
+    <message>
+        <source>Nudge the selected anchor by 1 pixel; Shift 10, Ctrl 0.1</source>
+        <translation>Den ausgewählten Anker um 1 Pixel schieben; Umschalt 10, Strg 0,1</translation>
+    </message>
+    <message>
+        <source>Tab</source>
+        <translation>Tab</translation>
+    </message>
+    <message>
+        <source>Nudge the other half</source>
+        <translation>Die andere Hälfte schieben</translation>
+    </message>
+    <message>
+        <source>Ctrl + click</source>
+        <translation>Strg + Klick</translation>
+    </message>
+    <message>
+        <source>Select several anchors</source>
+        <translation>Mehrere Anker auswählen</translation>
+    </message>
+    <message>
+        <source>Hold Z</source>
+        <translation>Z halten</translation>
+    </message>
+    <message>
+        <source>Loupe under the cursor</source>
+        <translation>Lupe unter dem Zeiger</translation>
+    </message>
+    <message>
+        <source>Hold Alt</source>
+        <translation>Alt halten</translation>
+    </message>
+    <message>
+        <source>Suspend snapping</source>
+        <translation>Einrasten aussetzen</translation>
+    </message>
+    <message>
+        <source>Hold B</source>
+        <translation>B halten</translation>
+    </message>
+    <message>
+        <source>Blink the preview</source>
+        <translation>Die Vorschau blinken lassen</translation>
+    </message>
+    <message>
+        <source>Space in the table</source>
+        <translation>Leertaste in der Tabelle</translation>
+    </message>
+    <message>
+        <source>Use the anchor or not</source>
+        <translation>Den Anker benutzen oder nicht</translation>
+    </message>
+    <message>
+        <source>In the views</source>
+        <translation>In den Ansichten</translation>
+    </message>
+    <message>
+        <source>Keys</source>
+        <translation>Tasten</translation>
+    </message>
+</context>
+<context>
+    <name>cad2slam::CoordinateDelegate</name>
+    <message>
+        <source>This is not a number of metres</source>
+        <translation>Das ist keine Zahl in Metern</translation>
+    </message>
+</context>
+<context>
+    <name>cad2slam::CoordinatesDialog</name>
+    <message>
+        <source>Coordinates of anchor %1</source>
+        <translation>Koordinaten von Anker %1</translation>
+    </message>
+    <message>
+        <source>New anchor %1</source>
+        <translation>Neuer Anker %1</translation>
+    </message>
+    <message>
+        <source>Blueprint &amp;x (m):</source>
+        <translation>Bauplan &amp;x (m):</translation>
+    </message>
+    <message>
+        <source>Blueprint &amp;y (m):</source>
+        <translation>Bauplan &amp;y (m):</translation>
+    </message>
+    <message>
+        <source>&amp;SLAM map x (m):</source>
+        <translation>&amp;SLAM-Karte x (m):</translation>
+    </message>
+    <message>
+        <source>SLAM &amp;map y (m):</source>
+        <translation>SLAM-&amp;Karte y (m):</translation>
+    </message>
+</context>
+<context>
+    <name>cad2slam::DiagnosisMessages</name>
+    <message>
+        <source>Show</source>
+        <translation>Zeigen</translation>
+    </message>
+    <message>
+        <source>Rescale blueprint</source>
+        <translation>Bauplan skalieren</translation>
+    </message>
+    <message>
+        <source>Disable %1</source>
+        <translation>%1 abschalten</translation>
+    </message>
+    <message>
+        <source>Anchors %1 and %2 share a blueprint point but are %3 apart on the SLAM map</source>
+        <translation>Anker %1 und %2 teilen einen Punkt im Bauplan, liegen aber in der SLAM-Karte %3 auseinander</translation>
+    </message>
+    <message>
+        <source>Anchors %1 and %2 share a point of the SLAM map but are %3 apart in the blueprint</source>
+        <translation>Anker %1 und %2 teilen einen Punkt in der SLAM-Karte, liegen aber im Bauplan %3 auseinander</translation>
+    </message>
+    <message>
+        <source>The blueprint looks mirrored: mirrored, the anchors would be off by %1 instead of %2</source>
+        <translation>Der Bauplan sieht gespiegelt aus: gespiegelt lägen die Anker %1 statt %2 daneben</translation>
+    </message>
+    <message>
+        <source>Mirror blueprint</source>
+        <translation>Bauplan spiegeln</translation>
+    </message>
+    <message>
+        <source>Anchors %1 and %2 look swapped: exchanged, the error falls from %3 to %4</source>
+        <translation>Anker %1 und %2 sehen vertauscht aus: getauscht sinkt der Fehler von %3 auf %4</translation>
+    </message>
+    <message>
+        <source>Swap %1 and %2</source>
+        <translation>%1 und %2 tauschen</translation>
+    </message>
+    <message>
+        <source>Anchor %1 does not fit the others: they put it %2 away</source>
+        <translation>Anker %1 passt nicht zu den anderen: sie legen ihn %2 weiter</translation>
+    </message>
+    <message>
+        <source>The mesh folds near anchors %1 and %2: they pull against each other</source>
+        <translation>Das Netz faltet sich bei den Ankern %1 und %2: sie ziehen gegeneinander</translation>
+    </message>
+    <message>
+        <source>The mesh folds over itself: some anchors pull against each other</source>
+        <translation>Das Netz faltet sich: einige Anker ziehen gegeneinander</translation>
+    </message>
+    <message>
+        <source>The blueprint is %1 % too small for the SLAM map: its scale is wrong</source>
+        <translation>Der Bauplan ist %1 % zu klein für die SLAM-Karte: sein Maßstab ist falsch</translation>
+    </message>
+    <message>
+        <source>The blueprint is %1 % too large for the SLAM map: its scale is wrong</source>
+        <translation>Der Bauplan ist %1 % zu groß für die SLAM-Karte: sein Maßstab ist falsch</translation>
+    </message>
+    <message>
+        <source>Blueprint %1 m, SLAM map %2 m between the two anchors (%3 %): check the scale of the blueprint</source>
+        <translation>Bauplan %1 m, SLAM-Karte %2 m zwischen den zwei Ankern (%3 %): Maßstab des Bauplans prüfen</translation>
+    </message>
+    <message>
+        <source>Anchors %1 and %2 are only %3 apart: add one far away, or the rotation stays a guess</source>
+        <translation>Anker %1 und %2 liegen nur %3 auseinander: einen weit weg setzen, sonst bleibt die Drehung geraten</translation>
+    </message>
+    <message>
+        <source>All anchors lie on one line: add one beside it, or the other direction stays a guess</source>
+        <translation>Alle Anker liegen auf einer Linie: einen daneben setzen, sonst bleibt die andere Richtung geraten</translation>
+    </message>
+    <message>
+        <source>All anchors are in one room: the rest of the building is a guess</source>
+        <translation>Alle Anker sind in einem Raum: der Rest des Gebäudes ist geraten</translation>
+    </message>
+    <message>
+        <source>%1 of %2 rooms have no anchor yet</source>
+        <translation>%1 von %2 Räumen haben noch keinen Anker</translation>
+    </message>
+    <message>
+        <source>A plain turn, shift and scale is enough here (%1 off in the middle): this SLAM map is not bent</source>
+        <translation>Drehung, Verschiebung und Maßstab genügen hier (in der Mitte %1 daneben): diese SLAM-Karte ist nicht verbogen</translation>
+    </message>
+</context>
+<context>
+    <name>cad2slam::ExportDialog</name>
+    <message>
+        <source>Export projector</source>
+        <translation>Projektor exportieren</translation>
+    </message>
+    <message>
+        <source>There is nothing to export yet</source>
+        <translation>Es gibt noch nichts zu exportieren</translation>
+    </message>
+    <message>
+        <source>The projector can be written, but look at this first</source>
+        <translation>Der Projektor kann geschrieben werden, aber sehen Sie sich dies zuerst an</translation>
+    </message>
+    <message>
+        <source>Ready to export</source>
+        <translation>Bereit zum Export</translation>
+    </message>
+    <message>
+        <source>Export &amp;anyway...</source>
+        <translation>Trot&amp;zdem exportieren...</translation>
+    </message>
+    <message>
+        <source>&amp;Export...</source>
+        <translation>&amp;Exportieren...</translation>
+    </message>
+    <message>
+        <source>The warnings are written into the file.</source>
+        <translation>Die Warnungen werden in die Datei geschrieben.</translation>
+    </message>
+</context>
+<context>
+    <name>cad2slam::Exports</name>
+    <message>
+        <source>There is no alignment yet: place anchors first</source>
+        <translation>Es gibt noch keine Ausrichtung: zuerst Anker setzen</translation>
+    </message>
+    <message>
+        <source>The alignment is still being computed: wait for the green chip</source>
+        <translation>Die Ausrichtung wird noch berechnet: auf das grüne Feld warten</translation>
+    </message>
+    <message>
+        <source>The last solve failed, so there is nothing current to export</source>
+        <translation>Das letzte Lösen schlug fehl, darum gibt es nichts Aktuelles zu exportieren</translation>
+    </message>
+    <message>
+        <source>Only %1 anchors are used: the map is not bent to fit; 4 or more are needed for checked results</source>
+        <translation>Nur %1 Anker werden benutzt: die Karte wird nicht verbogen; 4 oder mehr braucht es für geprüfte Ergebnisse</translation>
+    </message>
+    <message>
+        <source>%1 anchors are used, RMS of the residuals %2</source>
+        <translation>%1 Anker werden benutzt, quadratisches Mittel der Restfehler %2</translation>
+    </message>
+    <message>
+        <source>These anchors fit badly: %1</source>
+        <translation>Diese Anker passen schlecht: %1</translation>
+    </message>
+    <message>
+        <source>The mesh folds over itself in %1 places: no answer is given there</source>
+        <translation>Das Netz faltet sich an %1 Stellen: dort gibt es keine Antwort</translation>
+    </message>
+    <message>
+        <source>The mesh does not fold</source>
+        <translation>Das Netz faltet sich nicht</translation>
+    </message>
+    <message>
+        <source>The optimisation stopped before it had converged</source>
+        <translation>Die Optimierung hielt an, bevor sie fertig war</translation>
+    </message>
+    <message>
+        <source>One half anchor is still waiting for its counterpart and is left out</source>
+        <translation>Ein halber Anker wartet noch auf sein Gegenstück und bleibt weg</translation>
+    </message>
+    <message>
+        <source>Choose a SLAM map first: anchors belong to one</source>
+        <translation>Zuerst eine SLAM-Karte wählen: Anker gehören zu einer</translation>
+    </message>
+    <message numerus="yes">
+        <source>import %n anchor(s)</source>
+        <translation><numerusform>%n Anker importieren</numerusform><numerusform>%n Anker importieren</numerusform></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n anchor(s) imported</source>
+        <translation><numerusform>%n Anker importiert</numerusform><numerusform>%n Anker importiert</numerusform></translation>
+    </message>
+    <message>
+        <source>line %1: %2</source>
+        <translation>Zeile %1: %2</translation>
+    </message>
+    <message>
+        <source>Left out: %1</source>
+        <translation>Weggelassen: %1</translation>
+    </message>
+    <message numerus="yes">
+        <source> and %n more</source>
+        <translation><numerusform> und %n weitere</numerusform><numerusform> und %n weitere</numerusform></translation>
+    </message>
+    <message>
+        <source>Anchors written to %1</source>
+        <translation>Anker nach %1 geschrieben</translation>
+    </message>
+    <message>
+        <source>Projector written to %1, read again and compared at %2 places</source>
+        <translation>Projektor nach %1 geschrieben, wieder gelesen und an %2 Stellen verglichen</translation>
+    </message>
+    <message>
+        <source>%1: made by %2 on %3 from project %4; blueprint to SLAM map "%5", %6 nodes, %7 anchors</source>
+        <translation>%1: gemacht von %2 am %3 aus Projekt %4; Bauplan zu SLAM-Karte „%5“, %6 Knoten, %7 Anker</translation>
+    </message>
+    <message>
+        <source>an unknown date</source>
+        <translation>einem unbekannten Tag</translation>
+    </message>
+    <message>
+        <source>(not saved)</source>
+        <translation>(nicht gespeichert)</translation>
+    </message>
+    <message>
+        <source>Exported in spite of: %1</source>
+        <translation>Exportiert trotz: %1</translation>
+    </message>
+    <message>
+        <source>Its blueprint is not the image of this project</source>
+        <translation>Sein Bauplan ist nicht das Bild dieses Projekts</translation>
+    </message>
+    <message>
+        <source>Its SLAM map is not the one being edited</source>
+        <translation>Seine SLAM-Karte ist nicht die bearbeitete</translation>
+    </message>
+    <message>
+        <source>Import anchors</source>
+        <translation>Anker importieren</translation>
+    </message>
+    <message>
+        <source>Anchors (*.csv *.txt *.data);;All files (*)</source>
+        <translation>Anker (*.csv *.txt *.data);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Export anchors</source>
+        <translation>Anker exportieren</translation>
+    </message>
+    <message>
+        <source>Anchors (*.csv)</source>
+        <translation>Anker (*.csv)</translation>
+    </message>
+    <message>
+        <source>Export projector</source>
+        <translation>Projektor exportieren</translation>
+    </message>
+    <message>
+        <source>Projectors (*.c2s)</source>
+        <translation>Projektoren (*.c2s)</translation>
+    </message>
+    <message>
+        <source>Inspect a projector</source>
+        <translation>Projektor ansehen</translation>
+    </message>
+    <message>
+        <source>Projectors (*.c2s);;All files (*)</source>
+        <translation>Projektoren (*.c2s);;Alle Dateien (*)</translation>
+    </message>
+</context>
+<context>
+    <name>cad2slam::MainWindow</name>
+    <message>
+        <source>Blueprint</source>
+        <translation>Bauplan</translation>
+    </message>
+    <message>
+        <source>Drop the blueprint here:
+a map YAML, PNG, JPG, PGM or TIFF</source>
+        <translation>Bauplan hierher ziehen:
+Karten-YAML, PNG, JPG, PGM oder TIFF</translation>
+    </message>
+    <message>
+        <source>SLAM map</source>
+        <translation>SLAM-Karte</translation>
+    </message>
+    <message>
+        <source>Drop the SLAM map here:
+a map YAML, PGM, PNG or TIFF</source>
+        <translation>SLAM-Karte hierher ziehen:
+Karten-YAML, PGM, PNG oder TIFF</translation>
+    </message>
+    <message>
+        <source>SLAM map being edited</source>
+        <translation>Bearbeitete SLAM-Karte</translation>
+    </message>
+    <message>
+        <source>SLAM map being edited; each has its own anchors</source>
+        <translation>Bearbeitete SLAM-Karte; jede hat ihre eigenen Anker</translation>
+    </message>
+    <message>
+        <source>Anchors</source>
+        <translation>Anker</translation>
+    </message>
+    <message>
+        <source>Preview</source>
+        <translation>Vorschau</translation>
+    </message>
+    <message>
+        <source>Rename SLAM map</source>
+        <translation>SLAM-Karte umbenennen</translation>
+    </message>
+    <message>
+        <source>Name:</source>
+        <translation>Name:</translation>
+    </message>
+    <message>
+        <source>There is already a SLAM map %1</source>
+        <translation>Es gibt schon eine SLAM-Karte %1</translation>
+    </message>
+    <message>
+        <source>What you see is the last good result</source>
+        <translation>Zu sehen ist das letzte gute Ergebnis</translation>
+    </message>
+    <message>
+        <source>New project</source>
+        <translation>Neues Projekt</translation>
+    </message>
+    <message>
+        <source>%1  x %2 m  y %3 m   pixel %4, %5</source>
+        <translation>%1  x %2 m  y %3 m   Pixel %4, %5</translation>
+    </message>
+</context>
+<context>
+    <name>cad2slam::MapView</name>
+    <message>
+        <source>Map view</source>
+        <translation>Kartenansicht</translation>
+    </message>
+    <message>
+        <source>Residuals drawn %1 times as long</source>
+        <translation>Restfehler %1-mal so lang gezeichnet</translation>
+    </message>
+</context>
+<context>
+    <name>cad2slam::MessageBar</name>
+    <message>
+        <source>Messages</source>
+        <translation>Meldungen</translation>
+    </message>
+    <message>
+        <source>Show fewer</source>
+        <translation>Weniger zeigen</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n more message(s)</source>
+        <translation><numerusform>%n weitere Meldung</numerusform><numerusform>%n weitere Meldungen</numerusform></translation>
+    </message>
+    <message>
+        <source>Close this message</source>
+        <translation>Diese Meldung schließen</translation>
+    </message>
+</context>
+<context>
+    <name>cad2slam::PreviewPanel</name>
+    <message>
+        <source>Overlay</source>
+        <translation>Überlagerung</translation>
+    </message>
+    <message>
+        <source>Two inks</source>
+        <translation>Zwei Tinten</translation>
+    </message>
+    <message>
+        <source>Swipe</source>
+        <translation>Wischen</translation>
+    </message>
+    <message>
+        <source>Blink</source>
+        <translation>Blinken</translation>
+    </message>
+    <message>
+        <source>Lens</source>
+        <translation>Linse</translation>
+    </message>
+    <message>
+        <source>Mesh</source>
+        <translation>Netz</translation>
+    </message>
+    <message>
+        <source>Residuals</source>
+        <translation>Restfehler</translation>
+    </message>
+    <message>
+        <source>Local scale</source>
+        <translation>Örtlicher Maßstab</translation>
+    </message>
+    <message>
+        <source>Local turn</source>
+        <translation>Örtliche Drehung</translation>
+    </message>
+    <message>
+        <source>All SLAM maps</source>
+        <translation>Alle SLAM-Karten</translation>
+    </message>
+    <message>
+        <source>Opacity</source>
+        <translation>Deckkraft</translation>
+    </message>
+    <message>
+        <source>How the maps are compared (O)</source>
+        <translation>Wie die Karten verglichen werden (O)</translation>
+    </message>
+    <message>
+        <source>Preview mode</source>
+        <translation>Art der Vorschau</translation>
+    </message>
+    <message>
+        <source>How opaque the upper map is ([ and ])</source>
+        <translation>Wie deckend die obere Karte ist ([ und ])</translation>
+    </message>
+    <message>
+        <source>Which map lies below (Shift+O)</source>
+        <translation>Welche Karte unten liegt (Umschalt+O)</translation>
+    </message>
+    <message>
+        <source>Blink by itself</source>
+        <translation>Von selbst blinken</translation>
+    </message>
+    <message>
+        <source>Change between the maps three times a second</source>
+        <translation>Dreimal in der Sekunde zwischen den Karten wechseln</translation>
+    </message>
+    <message>
+        <source>Show the whole map</source>
+        <translation>Die ganze Karte zeigen</translation>
+    </message>
+    <message>
+        <source>SLAM map on blueprint</source>
+        <translation>SLAM-Karte auf Bauplan</translation>
+    </message>
+    <message>
+        <source>Blueprint on SLAM map</source>
+        <translation>Bauplan auf SLAM-Karte</translation>
+    </message>
+</context>
+<context>
+    <name>cad2slam::PreviewView</name>
+    <message>
+        <source>Preview</source>
+        <translation>Vorschau</translation>
+    </message>
+    <message>
+        <source>Overlay, %1 %</source>
+        <translation>Überlagerung, %1 %</translation>
+    </message>
+    <message>
+        <source>Two inks</source>
+        <translation>Zwei Tinten</translation>
+    </message>
+    <message>
+        <source>Swipe</source>
+        <translation>Wischen</translation>
+    </message>
+    <message>
+        <source>Blink</source>
+        <translation>Blinken</translation>
+    </message>
+    <message>
+        <source>Lens</source>
+        <translation>Linse</translation>
+    </message>
+    <message>
+        <source>Mesh: length against rest</source>
+        <translation>Netz: Länge gegen Ruhelänge</translation>
+    </message>
+    <message>
+        <source>Residuals: projected to clicked place</source>
+        <translation>Restfehler: von der projizierten zur angeklickten Stelle</translation>
+    </message>
+    <message>
+        <source>Local scale against the mean</source>
+        <translation>Örtlicher Maßstab gegen das Mittel</translation>
+    </message>
+    <message>
+        <source>Local turn against the mean</source>
+        <translation>Örtliche Drehung gegen das Mittel</translation>
+    </message>
+    <message>
+        <source>All SLAM maps</source>
+        <translation>Alle SLAM-Karten</translation>
+    </message>
+    <message>
+        <source>[ and ] change it, hold B to hide it</source>
+        <translation>[ und ] ändern sie, B halten blendet sie aus</translation>
+    </message>
+    <message>
+        <source>Drag the bar</source>
+        <translation>Den Balken ziehen</translation>
+    </message>
+    <message>
+        <source>Hold B for the other map</source>
+        <translation>B halten für die andere Karte</translation>
+    </message>
+    <message>
+        <source>Dark: both agree</source>
+        <translation>Dunkel: beide stimmen überein</translation>
+    </message>
+    <message>
+        <source>left: %1</source>
+        <translation>links: %1</translation>
+    </message>
+    <message>
+        <source>right: %1</source>
+        <translation>rechts: %1</translation>
+    </message>
+    <message>
+        <source>around: %1</source>
+        <translation>außen: %1</translation>
+    </message>
+    <message>
+        <source>in the lens: %1</source>
+        <translation>in der Linse: %1</translation>
+    </message>
+    <message>
+        <source>%1 over %2</source>
+        <translation>%1 über %2</translation>
+    </message>
+    <message>
+        <source>crosses: the mesh folds</source>
+        <translation>Kreuze: das Netz faltet sich</translation>
+    </message>
+    <message>
+        <source>good</source>
+        <translation>gut</translation>
+    </message>
+    <message>
+        <source>worth a look</source>
+        <translation>ansehen</translation>
+    </message>
+    <message>
+        <source>probably wrong</source>
+        <translation>vermutlich falsch</translation>
+    </message>
+    <message>
+        <source>black: the mesh folds</source>
+        <translation>schwarz: das Netz faltet sich</translation>
+    </message>
+    <message>
+        <source>°</source>
+        <comment>degrees</comment>
+        <translation>°</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <comment>per cent</comment>
+        <translation> %</translation>
+    </message>
+</context>
+<context>
+    <name>cad2slam::PreviewWiring</name>
+    <message>
+        <source>Load a blueprint and a SLAM map to see them over each other</source>
+        <translation>Bauplan und SLAM-Karte laden, um sie übereinander zu sehen</translation>
+    </message>
+    <message>
+        <source>Load a blueprint and a SLAM map first</source>
+        <translation>Zuerst Bauplan und SLAM-Karte laden</translation>
+    </message>
+    <message>
+        <source>Nothing to lay over it yet: place an anchor in both views</source>
+        <translation>Noch nichts zu überlagern: einen Anker in beiden Ansichten setzen</translation>
+    </message>
+    <message>
+        <source>Solving...</source>
+        <translation>Löst...</translation>
+    </message>
+    <message>
+        <source>Not current: the last solve failed, this is the result before it</source>
+        <translation>Nicht aktuell: das letzte Lösen schlug fehl, dies ist das Ergebnis davor</translation>
+    </message>
+    <message>
+        <source>Not current: the last solve was stopped</source>
+        <translation>Nicht aktuell: das letzte Lösen wurde angehalten</translation>
+    </message>
+    <message>
+        <source>Rough: one anchor says nothing of the turn</source>
+        <translation>Grob: ein Anker sagt nichts über die Drehung</translation>
+    </message>
+    <message>
+        <source>Blueprint</source>
+        <translation>Bauplan</translation>
+    </message>
+</context>
+<context>
+    <name>cad2slam::ProjectFiles</name>
+    <message>
+        <source>One anchor has only one half: click its counterpart, or press Esc to drop it</source>
+        <translation>Ein Anker hat nur eine Hälfte: sein Gegenstück anklicken oder mit Esc fallen lassen</translation>
+    </message>
+    <message>
+        <source>Save elsewhere...</source>
+        <translation>Anderswo speichern...</translation>
+    </message>
+    <message>
+        <source>Saved, with one half of an anchor still waiting for its counterpart</source>
+        <translation>Gespeichert, mit einer Ankerhälfte, die noch auf ihr Gegenstück wartet</translation>
+    </message>
+    <message>
+        <source>Saved</source>
+        <translation>Gespeichert</translation>
+    </message>
+    <message>
+        <source>Open project</source>
+        <translation>Projekt öffnen</translation>
+    </message>
+    <message>
+        <source>Projects (*.c2sproj);;All files (*)</source>
+        <translation>Projekte (*.c2sproj);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Save project</source>
+        <translation>Projekt speichern</translation>
+    </message>
+    <message>
+        <source>Projects (*.c2sproj)</source>
+        <translation>Projekte (*.c2sproj)</translation>
+    </message>
+    <message>
+        <source>Choose the blueprint</source>
+        <translation>Bauplan wählen</translation>
+    </message>
+    <message>
+        <source>Add a SLAM map</source>
+        <translation>SLAM-Karte hinzufügen</translation>
+    </message>
+    <message>
+        <source>Maps and images (*.yaml *.yml *.png *.pgm *.jpg *.jpeg *.tif *.tiff *.bmp);;All files (*)</source>
+        <translation>Karten und Bilder (*.yaml *.yml *.png *.pgm *.jpg *.jpeg *.tif *.tiff *.bmp);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Unsaved changes</source>
+        <translation>Nicht gespeicherte Änderungen</translation>
+    </message>
+    <message>
+        <source>The project has changes that are not saved.</source>
+        <translation>Das Projekt hat Änderungen, die nicht gespeichert sind.</translation>
+    </message>
+    <message>
+        <source>Save them before it is closed?</source>
+        <translation>Vor dem Schließen speichern?</translation>
+    </message>
+    <message>
+        <source>None yet</source>
+        <translation>Noch keine</translation>
+    </message>
+    <message>
+        <source>Find it...</source>
+        <translation>Suchen...</translation>
+    </message>
+    <message>
+        <source>Where is %1?</source>
+        <translation>Wo ist %1?</translation>
+    </message>
+</context>
+<context>
+    <name>cad2slam::RasterStore</name>
+    <message>
+        <source>%1 is not the image this project was made with; check that the anchors still fit</source>
+        <translation>%1 ist nicht das Bild, mit dem dieses Projekt gemacht wurde; prüfen, ob die Anker noch passen</translation>
+    </message>
+</context>
+<context>
+    <name>cad2slam::Recovery</name>
+    <message>
+        <source>Autosave does not work: %1</source>
+        <translation>Die automatische Sicherung geht nicht: %1</translation>
+    </message>
+    <message>
+        <source>a project that was never saved</source>
+        <translation>ein Projekt, das nie gespeichert wurde</translation>
+    </message>
+    <message>
+        <source>The program ended unexpectedly; %1 was last edited %2</source>
+        <translation>Das Programm endete unerwartet; %1 wurde zuletzt am %2 bearbeitet</translation>
+    </message>
+    <message>
+        <source>Recover</source>
+        <translation>Wiederherstellen</translation>
+    </message>
+    <message>
+        <source>Discard</source>
+        <translation>Verwerfen</translation>
+    </message>
+</context>
+<context>
+    <name>cad2slam::ScaleDialog</name>
+    <message>
+        <source>Scale of the blueprint</source>
+        <translation>Maßstab des Bauplans</translation>
+    </message>
+    <message>
+        <source>Scale of the SLAM map</source>
+        <translation>Maßstab der SLAM-Karte</translation>
+    </message>
+    <message>
+        <source>%1 does not tell its scale. Type it, or click both ends of something whose length you know and type that length.</source>
+        <translation>%1 sagt nichts über seinen Maßstab. Geben Sie ihn ein, oder klicken Sie beide Enden von etwas an, dessen Länge Sie kennen, und geben Sie diese Länge ein.</translation>
+    </message>
+    <message>
+        <source>Line drawn:</source>
+        <translation>Gezeichnete Linie:</translation>
+    </message>
+    <message>
+        <source>Its &amp;length (m):</source>
+        <translation>Ihre &amp;Länge (m):</translation>
+    </message>
+    <message>
+        <source>&amp;Metres for each pixel:</source>
+        <translation>&amp;Meter je Pixel:</translation>
+    </message>
+    <message>
+        <source>Size of the picture:</source>
+        <translation>Größe des Bildes:</translation>
+    </message>
+    <message>
+        <source>%1 pixels</source>
+        <translation>%1 Pixel</translation>
+    </message>
+    <message>
+        <source>click one end</source>
+        <translation>ein Ende anklicken</translation>
+    </message>
+    <message>
+        <source>click the other end</source>
+        <translation>das andere Ende anklicken</translation>
+    </message>
+    <message>
+        <source>%1 m x %2 m at %3 m for each pixel</source>
+        <translation>%1 m x %2 m bei %3 m je Pixel</translation>
+    </message>
+    <message>
+        <source>not known yet</source>
+        <translation>noch nicht bekannt</translation>
+    </message>
+</context>
+<context>
+    <name>cad2slam::SettingsDialog</name>
+    <message>
+        <source>Settings</source>
+        <translation>Einstellungen</translation>
+    </message>
+    <message>
+        <source>&amp;Alignment</source>
+        <translation>&amp;Ausrichtung</translation>
+    </message>
+    <message>
+        <source>&amp;Limits</source>
+        <translation>&amp;Grenzen</translation>
+    </message>
+    <message>
+        <source>A&amp;ppearance</source>
+        <translation>A&amp;ussehen</translation>
+    </message>
+    <message>
+        <source>&amp;Defaults of the model</source>
+        <translation>&amp;Vorgaben des Modells</translation>
+    </message>
+    <message>
+        <source>Stretch: bends and stretches (recommended)</source>
+        <translation>Dehnen: biegt und dehnt (empfohlen)</translation>
+    </message>
+    <message>
+        <source>Rigid: bends only, as in the paper</source>
+        <translation>Starr: biegt nur, wie in der Veröffentlichung</translation>
+    </message>
+    <message>
+        <source>&amp;Model:</source>
+        <translation>&amp;Modell:</translation>
+    </message>
+    <message>
+        <source>The plan is to scale</source>
+        <translation>Der Plan ist maßstäblich</translation>
+    </message>
+    <message>
+        <source>Unknown: find it from the anchors</source>
+        <translation>Unbekannt: aus den Ankern finden</translation>
+    </message>
+    <message>
+        <source>A number I know</source>
+        <translation>Eine Zahl, die ich kenne</translation>
+    </message>
+    <message>
+        <source>&amp;Scale of the blueprint:</source>
+        <translation>Maßstab des &amp;Bauplans:</translation>
+    </message>
+    <message>
+        <source>SLAM metres per blueprint metre:</source>
+        <translation>SLAM-Meter je Bauplanmeter:</translation>
+    </message>
+    <message>
+        <source>1 where both are true to scale</source>
+        <translation>1, wo beide maßstäblich sind</translation>
+    </message>
+    <message>
+        <source>&amp;Cell size of the mesh (m):</source>
+        <translation>&amp;Zellgröße des Netzes (m):</translation>
+    </message>
+    <message>
+        <source>Smaller follows finer bends and takes longer</source>
+        <translation>Kleiner folgt feineren Biegungen und dauert länger</translation>
+    </message>
+    <message>
+        <source>automatic</source>
+        <translation>automatisch</translation>
+    </message>
+    <message>
+        <source>Pull of an anchor:</source>
+        <translation>Zugkraft eines Ankers:</translation>
+    </message>
+    <message>
+        <source>Larger trusts the clicks more</source>
+        <translation>Größer vertraut den Klicks mehr</translation>
+    </message>
+    <message>
+        <source>Bad anchors start at (m):</source>
+        <translation>Schlechte Anker ab (m):</translation>
+    </message>
+    <message>
+        <source>An anchor off by more than this loses its pull; empty trusts every anchor</source>
+        <translation>Ein Anker, der weiter danebenliegt, verliert seine Zugkraft; leer vertraut jedem Anker</translation>
+    </message>
+    <message>
+        <source>never</source>
+        <translation>nie</translation>
+    </message>
+    <message>
+        <source>Stiffness along an edge:</source>
+        <translation>Steifigkeit längs einer Kante:</translation>
+    </message>
+    <message>
+        <source>Stiffness across an edge:</source>
+        <translation>Steifigkeit quer zu einer Kante:</translation>
+    </message>
+    <message>
+        <source>Stiffness of bending:</source>
+        <translation>Biegesteifigkeit:</translation>
+    </message>
+    <message>
+        <source>Empty follows the size of the building</source>
+        <translation>Leer folgt der Größe des Gebäudes</translation>
+    </message>
+    <message>
+        <source>Smoothness of the stretch:</source>
+        <translation>Glätte der Dehnung:</translation>
+    </message>
+    <message>
+        <source>Resistance to stretch:</source>
+        <translation>Widerstand gegen Dehnung:</translation>
+    </message>
+    <message>
+        <source>An anchor is judged by the error without it, from four anchors on. The larger of a length and a number of SLAM map pixels counts. These limits are kept in the project.</source>
+        <translation>Ein Anker wird, ab vier Ankern, nach dem Fehler ohne ihn beurteilt. Es zählt das Größere von einer Länge und einer Zahl von Pixeln der SLAM-Karte. Diese Grenzen stehen im Projekt.</translation>
+    </message>
+    <message>
+        <source>● OK up to (m):</source>
+        <translation>● OK bis (m):</translation>
+    </message>
+    <message>
+        <source>● OK up to (pixels):</source>
+        <translation>● OK bis (Pixel):</translation>
+    </message>
+    <message>
+        <source>◆ Have a look up to (m):</source>
+        <translation>◆ Ansehen bis (m):</translation>
+    </message>
+    <message>
+        <source>◆ Have a look up to (pixels):</source>
+        <translation>◆ Ansehen bis (Pixel):</translation>
+    </message>
+    <message>
+        <source>As the system</source>
+        <translation>Wie das System</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation>Hell</translation>
+    </message>
+    <message>
+        <source>Dark</source>
+        <translation>Dunkel</translation>
+    </message>
+    <message>
+        <source>High contrast, for sunlight</source>
+        <translation>Hoher Kontrast, für die Sonne</translation>
+    </message>
+    <message>
+        <source>&amp;Colours:</source>
+        <translation>&amp;Farben:</translation>
+    </message>
+    <message>
+        <source>&amp;Language (from the next start):</source>
+        <translation>&amp;Sprache (ab dem nächsten Start):</translation>
+    </message>
+    <message>
+        <source>The fields with a frame need a number above zero</source>
+        <translation>Die umrahmten Felder brauchen eine Zahl über null</translation>
+    </message>
+</context>
+<context>
+    <name>cad2slam::TestPoses</name>
+    <message>
+        <source>%1 (extrapolated)</source>
+        <translation>%1 (extrapoliert)</translation>
+    </message>
+    <message>
+        <source>goal</source>
+        <translation>Ziel</translation>
+    </message>
+    <message>
+        <source>start</source>
+        <translation>Start</translation>
+    </message>
+    <message>
+        <source>robot</source>
+        <translation>Roboter</translation>
+    </message>
+    <message>
+        <source>%1 m</source>
+        <translation>%1 m</translation>
+    </message>
+    <message>
+        <source>Place anchors first, then the robot shows in both views</source>
+        <translation>Zuerst Anker setzen, dann erscheint der Roboter in beiden Ansichten</translation>
+    </message>
+    <message>
+        <source>The mesh folds here: there is no answer</source>
+        <translation>Das Netz faltet sich hier: es gibt keine Antwort</translation>
+    </message>
+    <message>
+        <source>There is no answer at this place</source>
+        <translation>An dieser Stelle gibt es keine Antwort</translation>
+    </message>
+    <message>
+        <source>%1SLAM map x %2 m, y %3 m, heading %4°; there and back differs by %5 mm, %6°</source>
+        <translation>%1SLAM-Karte x %2 m, y %3 m, Richtung %4°; hin und zurück weicht um %5 mm, %6° ab</translation>
+    </message>
+    <message>
+        <source>Extrapolated: </source>
+        <translation>Extrapoliert: </translation>
+    </message>
+</context>
+<context>
+    <name>cad2slam::TilePyramid</name>
+    <message>
+        <source>The image %1 could not be read: %2</source>
+        <translation>Das Bild %1 konnte nicht gelesen werden: %2</translation>
+    </message>
+</context>
+<context>
+    <name>cad2slam::Tour</name>
+    <message>
+        <source>The sample building is not installed; drop your own two maps into the views</source>
+        <translation>Das Beispielgebäude ist nicht installiert; ziehen Sie Ihre eigenen zwei Karten in die Ansichten</translation>
+    </message>
+    <message>
+        <source>On the left the plan of an office, on the right what a robot has mapped. Click a corner of a room in the plan; the wheel zooms, dragging moves</source>
+        <translation>Links der Plan eines Büros, rechts, was ein Roboter kartiert hat. Klicken Sie eine Raumecke im Plan an; das Rad vergrößert, Ziehen verschiebt</translation>
+    </message>
+    <message>
+        <source>Now find the same corner on the right and click it. Holding Z magnifies</source>
+        <translation>Jetzt dieselbe Ecke rechts finden und anklicken. Z gedrückt halten vergrößert</translation>
+    </message>
+    <message>
+        <source>That is an anchor. Make a second one far away from it</source>
+        <translation>Das ist ein Anker. Setzen Sie einen zweiten weit weg davon</translation>
+    </message>
+    <message>
+        <source>From now on the other half is predicted: after the first click a dashed ring shows it. Enter takes it, a click elsewhere corrects it. Make four anchors</source>
+        <translation>Ab jetzt wird die andere Hälfte vorhergesagt: nach dem ersten Klick zeigt sie ein gestrichelter Ring. Eingabe nimmt ihn, ein Klick anderswo berichtigt ihn. Setzen Sie vier Anker</translation>
+    </message>
+    <message>
+        <source>From four anchors on each is checked by the others: see "Without it" in the table. The preview shows both maps together, O changes how</source>
+        <translation>Ab vier Ankern wird jeder von den anderen geprüft: siehe „Ohne ihn“ in der Tabelle. Die Vorschau zeigt beide Karten zusammen, O wechselt die Art</translation>
+    </message>
+    <message>
+        <source>More anchors where the preview is off make it better; Ctrl+E writes the file for the robots</source>
+        <translation>Weitere Anker, wo die Vorschau nicht passt, machen es besser; Strg+E schreibt die Datei für die Roboter</translation>
+    </message>
+    <message>
+        <source>Step %1 of %2. %3</source>
+        <translation>Schritt %1 von %2. %3</translation>
+    </message>
+    <message>
+        <source>Go on</source>
+        <translation>Weiter</translation>
+    </message>
+    <message>
+        <source>Done</source>
+        <translation>Fertig</translation>
+    </message>
+    <message>
+        <source>End the tour</source>
+        <translation>Rundgang beenden</translation>
+    </message>
+</context>
+<context>
+    <name>cad2slam::ViewPair</name>
+    <message>
+        <source>Now click the same place here (Esc cancels)</source>
+        <translation>Jetzt dieselbe Stelle hier anklicken (Esc bricht ab)</translation>
+    </message>
+    <message>
+        <source>%1? Enter accepts</source>
+        <translation>%1? Eingabe nimmt an</translation>
+    </message>
+</context>
+<context>
+    <name>edit</name>
+    <message>
+        <source>add anchor %1</source>
+        <translation>Anker %1 hinzufügen</translation>
+    </message>
+    <message>
+        <source>move anchor %1</source>
+        <translation>Anker %1 verschieben</translation>
+    </message>
+    <message>
+        <source>type coordinates of anchor %1</source>
+        <translation>Koordinaten von Anker %1 eingeben</translation>
+    </message>
+    <message>
+        <source>delete anchor %1</source>
+        <translation>Anker %1 löschen</translation>
+    </message>
+    <message>
+        <source>delete %1 anchors</source>
+        <translation>%1 Anker löschen</translation>
+    </message>
+    <message>
+        <source>use anchors</source>
+        <translation>Anker benutzen</translation>
+    </message>
+    <message>
+        <source>disable anchors</source>
+        <translation>Anker abschalten</translation>
+    </message>
+    <message>
+        <source>rename anchor %1</source>
+        <translation>Anker %1 umbenennen</translation>
+    </message>
+    <message>
+        <source>note on anchor %1</source>
+        <translation>Notiz zu Anker %1</translation>
+    </message>
+    <message>
+        <source>swap anchors %1 and %2</source>
+        <translation>Anker %1 und %2 tauschen</translation>
+    </message>
+    <message>
+        <source>SLAM map</source>
+        <translation>SLAM-Karte</translation>
+    </message>
+    <message>
+        <source>choose blueprint</source>
+        <translation>Bauplan wählen</translation>
+    </message>
+    <message>
+        <source>rescale blueprint</source>
+        <translation>Bauplan skalieren</translation>
+    </message>
+    <message>
+        <source>mirror blueprint</source>
+        <translation>Bauplan spiegeln</translation>
+    </message>
+    <message>
+        <source>change settings</source>
+        <translation>Einstellungen ändern</translation>
+    </message>
+    <message>
+        <source>add SLAM map</source>
+        <translation>SLAM-Karte hinzufügen</translation>
+    </message>
+    <message>
+        <source>remove SLAM map</source>
+        <translation>SLAM-Karte entfernen</translation>
+    </message>
+    <message>
+        <source>rename SLAM map</source>
+        <translation>SLAM-Karte umbenennen</translation>
+    </message>
+    <message>
+        <source>choose SLAM map</source>
+        <translation>SLAM-Karte wählen</translation>
+    </message>
+</context>
+<context>
+    <name>units</name>
+    <message>
+        <source>%1 cm</source>
+        <translation>%1 cm</translation>
+    </message>
+    <message>
+        <source>%1 m</source>
+        <translation>%1 m</translation>
+    </message>
+</context>
+</TS>

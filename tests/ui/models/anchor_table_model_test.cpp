@@ -1,0 +1,121 @@
+// SPDX-FileCopyrightText: 2026 The CAD2SLAM authors
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/models/anchor_table_model.h"
+
+#include "ui/document/anchor_commands.h"
+#include "ui/models/number_text.h"
+#include "ui/support/documents.h"
+
+#include <QAbstractItemModelTester>
+#include <QFont>
+#include <QTest>
+
+using namespace cad2slam;
+using Model = AnchorTableModel;
+
+class AnchorTableModelTest : public QObject {
+  Q_OBJECT
+
+ private:
+  ProjectDocument document_;
+
+  QString shown(const Model& model, int row, int column) {
+    return model.data(model.index(row, column), Qt::DisplayRole).toString();
+  }
+
+ private slots:
+  void init() {
+    QLocale::setDefault(QLocale::c());
+    document_.reset(test::smallProject(), {});
+    edit::addAnchor(document_, {1.23456789, 2}, {3, 4});
+    edit::addAnchor(document_, {5, 6}, {7, 8});
+  }
+  void cleanup() { QLocale::setDefault(QLocale::c()); }
+
+  void staysConsistentThroughEdits() {
+    Model model(document_);
+    QAbstractItemModelTester tester(&model, QAbstractItemModelTester::FailureReportingMode::QtTest);
+    edit::addAnchor(document_, {9, 9}, {9, 9});
+    edit::deleteAnchors(document_, {1, 3});
+    document_.undoStack().undo();
+    QCOMPARE(model.rowCount(), 3);
+    document_.reset(Project{}, {});
+    QCOMPARE(model.rowCount(), 0);
+  }
+
+  void scenario14_editsAreOneStepAndBadTextIsRefused() {
+    Model model(document_);
+    const int steps = document_.undoStack().count();
+    QVERIFY(model.setData(model.index(0, Model::kSlamX), QStringLiteral("3,25"), Qt::EditRole));
+    QCOMPARE(document_.anchor(1)->in_slam.x(), 3.25);
+    QCOMPARE(document_.undoStack().count(), steps + 1);
+    for (const char* bad : {"", "abc", "1.2.3", "nan", "inf", "1e300", "1,234.5", "3 4"})
+      QVERIFY2(!model.setData(model.index(0, Model::kSlamX), QString::fromLatin1(bad), Qt::EditRole), bad);
+    QCOMPARE(document_.anchor(1)->in_slam.x(), 3.25);
+    QCOMPARE(document_.undoStack().count(), steps + 1);
+  }
+
+  void leavingTheTextAloneDoesNotRound() {
+    Model model(document_);
+    const QModelIndex cell = model.index(0, Model::kBlueprintX);
+    QVERIFY(model.setData(cell, model.data(cell, Qt::EditRole), Qt::EditRole));
+    QCOMPARE(document_.anchor(1)->in_blueprint.x(), 1.23456789);
+  }
+
+  void scenario27_decimalCommaWhereTheLanguageHasIt() {
+    QLocale::setDefault(QLocale(QLocale::German));
+    Model model(document_);
+    QCOMPARE(shown(model, 0, Model::kBlueprintX), QStringLiteral("1,235"));
+    QCOMPARE(parseNumber(QStringLiteral("12,5")), std::optional(12.5));
+    QCOMPARE(parseNumber(QStringLiteral("12.5 m")), std::optional(12.5));
+    QCOMPARE(numberText(1234567.891, 1), QStringLiteral("1234567,9"));
+    QCOMPARE(numberText(-0.0001, 2), QStringLiteral("0,00"));
+  }
+
+  void scenario13_disabledRowsAreChecksInItalics() {
+    Model model(document_);
+    edit::setEnabled(document_, {2}, false);
+    AnchorJudgement check;
+    check.judged = AnchorClass::kDisabled;
+    check.residual_m = 0.123;
+    check.is_check = true;
+    model.setJudgements({{2, check}}, false);
+    QCOMPARE(shown(model, 1, Model::kResidual), QStringLiteral("12.3"));
+    QVERIFY(model.data(model.index(1, Model::kResidual), Qt::FontRole).value<QFont>().italic());
+    QCOMPARE(model.data(model.index(1, Model::kEnabled), Qt::CheckStateRole).toInt(), int(Qt::Unchecked));
+    QVERIFY(model.setData(model.index(1, Model::kEnabled), int(Qt::Checked), Qt::CheckStateRole));
+    QVERIFY(document_.anchor(2)->enabled);
+  }
+
+  void staleNumbersAreGrey() {
+    Model model(document_);
+    AnchorJudgement judgement;
+    judgement.residual_m = 0.1;
+    model.setJudgements({{1, judgement}}, true);
+    QVERIFY(model.data(model.index(0, Model::kResidual), Qt::ForegroundRole).isValid());
+    model.setJudgements({{1, judgement}}, false);
+    QVERIFY(!model.data(model.index(0, Model::kResidual), Qt::ForegroundRole).isValid());
+  }
+
+  void everyClassHasItsShapeAndWord() {
+    Model model(document_);
+    QStringList flags;
+    for (const AnchorClass judged : {AnchorClass::kOk, AnchorClass::kLook, AnchorClass::kBad}) {
+      AnchorJudgement judgement;
+      judgement.judged = judged;
+      model.setJudgements({{1, judgement}}, false);
+      flags += shown(model, 0, Model::kFlag);
+    }
+    QCOMPARE(flags, (QStringList{QStringLiteral("● OK"), QStringLiteral("◆ look"), QStringLiteral("■ bad")}));
+  }
+
+  void aLockedTableCannotBeEdited() {
+    Model model(document_);
+    document_.setLocked(true);
+    QVERIFY(!(model.flags(model.index(0, Model::kName)) & Qt::ItemIsEditable));
+    QVERIFY(!model.setData(model.index(0, Model::kName), QStringLiteral("x"), Qt::EditRole));
+  }
+};
+
+QTEST_MAIN(AnchorTableModelTest)
+#include "anchor_table_model_test.moc"

@@ -1,0 +1,238 @@
+// SPDX-FileCopyrightText: 2026 The CAD2SLAM authors
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/document/project_commands.h"
+#include "ui/panels/anchor_panel.h"
+#include "ui/support/documents.h"
+#include "ui/support/office_window.h"
+#include "ui/tools/test_poses.h"
+
+#include <QLineEdit>
+#include <QTableView>
+
+#include <algorithm>
+
+using namespace cad2slam;
+using test::OfficeWindow;
+using Kind = Finding::Kind;
+
+class CheckingTest : public QObject {
+  Q_OBJECT
+
+ private:
+  std::optional<test::Sandbox> sandbox_;
+
+  static double rms(OfficeWindow& office) { return office.session().summary().rms_residual_m.value_or(1e9); }
+
+ private slots:
+  void init() { sandbox_.emplace(); }
+
+  void scenario10_swappedCounterpartsAreOfferedForRepair() {
+    OfficeWindow office;
+    office.addExact(10);
+    QVERIFY(office.waitUntilSolved());
+    const double good = rms(office);
+    edit::swapCounterparts(office.document(), 4, 7);
+    QVERIFY(office.waitForFinding(Kind::kSwapped));
+    std::vector<AnchorId> named = office.finding(Kind::kSwapped)->anchors;
+    std::sort(named.begin(), named.end());
+    QCOMPARE(named, (std::vector<AnchorId>{4, 7}));
+    for (const AnchorId id : {AnchorId(4), AnchorId(7)})
+      QCOMPARE(office.session().judgements().at(id).judged, AnchorClass::kBad);
+    QVERIFY(office.pressCure(QStringLiteral("diagnosis-"), QStringLiteral("Swap")));
+    QVERIFY(office.waitUntilSolved());
+    QVERIFY(rms(office) < 1.01 * good + 1e-6);
+    QTRY_VERIFY_WITH_TIMEOUT(!office.finding(Kind::kSwapped), test::kPatience);
+  }
+
+  void scenario10_anAnchorTwoMetresOffTopsTheList() {
+    OfficeWindow office;
+    office.addExact(12);
+    edit::moveAnchor(office.document(), 5, Side::kSlam, office.pairs[4].in_slam + Eigen::Vector2d(2.0, 0.0),
+                     office.document().newGesture());
+    QVERIFY(office.waitUntilSolved());
+    const auto worst = std::max_element(
+        office.session().judgements().begin(), office.session().judgements().end(), [](const auto& a, const auto& b) {
+          return a.second.leave_one_out_m.value_or(0.0) < b.second.leave_one_out_m.value_or(0.0);
+        });
+    QCOMPARE(worst->first, AnchorId(5));
+    QCOMPARE(office.window.anchorPanel().nextByError(std::nullopt, true), std::optional<AnchorId>(5));
+    office.window.actionTable()[ActionId::kDisableWorst]->trigger();
+    QVERIFY(!office.document().anchor(5)->enabled);
+  }
+
+  void scenario11_duplicatesAreNamedWithACure() {
+    OfficeWindow office;
+    office.addExact(6);
+    edit::addAnchor(office.document(), office.pairs[2].in_blueprint,
+                    office.pairs[2].in_slam + Eigen::Vector2d(1.8, 0.0));
+    QVERIFY(office.waitForFinding(Kind::kDuplicate));
+    QCOMPARE(office.finding(Kind::kDuplicate)->anchors, (std::vector<AnchorId>{3, 7}));
+    QVERIFY(office.pressCure(QStringLiteral("diagnosis-"), QStringLiteral("Disable 7")));
+    QVERIFY(office.waitUntilSolved());
+    QTRY_VERIFY_WITH_TIMEOUT(!office.finding(Kind::kDuplicate), test::kPatience);
+  }
+
+  void scenario11_collinearAnchorsAndOneRoom() {
+    OfficeWindow office;
+    const Eigen::Vector2d b = office.pairs[0].in_blueprint;
+    const Eigen::Vector2d s = office.pairs[0].in_slam;
+    for (int i = 0; i < 3; ++i)
+      edit::addAnchor(office.document(), b + Eigen::Vector2d(0.8 * i, 0.0), s + Eigen::Vector2d(0.8 * i, 0.0));
+    QVERIFY(office.waitForFinding(Kind::kCollinear));
+    QVERIFY(office.window.isVisible());
+  }
+
+  void scenario12_aWrongScaleIsSaidAndCured_data() {
+    QTest::addColumn<double>("factor");
+    QTest::newRow("twice as large") << 2.0;
+    QTest::newRow("half as large") << 0.5;
+    QTest::newRow("5 % off") << 1.05;
+  }
+  void scenario12_aWrongScaleIsSaidAndCured() {
+    QFETCH(double, factor);
+    OfficeWindow office;
+    office.addExact(12);
+    edit::rescaleBlueprint(office.document(), factor);
+    QVERIFY(office.waitForFinding(Kind::kScale));
+    QVERIFY2(std::abs(office.finding(Kind::kScale)->value * factor - 1.0) < 0.04,
+             qPrintable(QString::number(office.finding(Kind::kScale)->value)));
+    QVERIFY(office.pressCure(QStringLiteral("diagnosis-"), QStringLiteral("Rescale")));
+    QVERIFY(office.waitUntilSolved());
+    QTRY_VERIFY_WITH_TIMEOUT(!office.finding(Kind::kScale), test::kPatience);
+    QVERIFY(std::abs(office.document().project().blueprint.metadata.resolution_m_per_px / 0.025 - 1.0) < 0.04);
+  }
+
+  void scenario12_aMirroredBlueprintIsSaidAndCured() {
+    OfficeWindow office;
+    edit::flipBlueprint(office.document(), *office.session().rasters().frame(Side::kBlueprint));
+    QVERIFY(office.waitUntilReady());
+    // The installer clicks what they see: the same corners, now where the mirrored picture shows them.
+    const MapFrame frame = *office.session().rasters().frame(Side::kBlueprint);
+    for (std::size_t i = 0; i < 8; ++i) {
+      Eigen::Vector2d pixel = frame.pixelFromMetric(office.pairs[i].in_blueprint);
+      pixel.x() = frame.width() - pixel.x();
+      edit::addAnchor(office.document(), frame.metricFromPixel(pixel), office.pairs[i].in_slam);
+    }
+    QVERIFY(office.waitForFinding(Kind::kMirrored));
+    QVERIFY(office.pressCure(QStringLiteral("diagnosis-"), QStringLiteral("Mirror")));
+    QVERIFY(office.waitUntilReady());
+    QVERIFY(office.waitUntilSolved());
+    QTRY_VERIFY_WITH_TIMEOUT(!office.finding(Kind::kMirrored), test::kPatience);
+    QVERIFY(!office.document().project().blueprint.metadata.mirrored);
+    QVERIFY((office.document().anchor(1)->in_blueprint - office.pairs[0].in_blueprint).norm() < 1e-9);
+    QVERIFY(rms(office) < 1.0);
+  }
+
+  void scenario12_twoAnchorsCompareLengths() {
+    OfficeWindow office;
+    office.addExact(2);
+    QVERIFY(office.waitUntilSolved());
+    edit::rescaleBlueprint(office.document(), 1.3);
+    QVERIFY(office.waitForFinding(Kind::kLengths));
+    QVERIFY(office.pressCure(QStringLiteral("diagnosis-"), QStringLiteral("Rescale")));
+    QTRY_VERIFY_WITH_TIMEOUT(!office.finding(Kind::kLengths), test::kPatience);
+  }
+
+  void scenario13_aDisabledAnchorIsACheckAndComesBackTheSame() {
+    OfficeWindow office;
+    office.addExact(8);
+    QVERIFY(office.waitUntilSolved());
+    const double before = office.session().judgements().at(3).residual_m.value();
+    office.session().selection().set({3});
+    office.window.actionTable()[ActionId::kToggleEnabled]->trigger();
+    QVERIFY(office.waitUntilSolved());
+    QCOMPARE(office.session().judgements().at(3).judged, AnchorClass::kDisabled);
+    QVERIFY(office.session().judgements().at(3).residual_m.value() > before);
+    QCOMPARE(office.session().summary().used, std::size_t(7));
+    office.window.actionTable()[ActionId::kToggleEnabled]->trigger();
+    QVERIFY(office.waitUntilSolved());
+    QVERIFY(std::abs(office.session().judgements().at(3).residual_m.value() - before) < 1e-6);
+  }
+
+  void scenario14_tableAndViewsGoTogether() {
+    OfficeWindow office;
+    office.addExact(20);
+    QVERIFY(office.waitUntilSolved());
+    QTableView& table = *office.window.anchorPanel().table();
+    // A click on a marker selects its row and scrolls to it.
+    office.window.view(Side::kSlam).centerOn(toQPointF(office.pairs[17].in_slam), false);
+    office.window.view(Side::kSlam).zoomBy(4.0);
+    office.click(Side::kSlam, toQPointF(office.pairs[17].in_slam));
+    QCOMPARE(office.session().selection().ids(), std::vector<AnchorId>{18});
+    QCOMPARE(table.selectionModel()->selectedRows().size(), 1);
+    const QModelIndex row = table.selectionModel()->selectedRows().front();
+    QVERIFY(table.viewport()->rect().intersects(table.visualRect(row)));
+    // A double click on a row shows the anchor in both views.
+    table.sortByColumn(AnchorTableModel::kLeaveOneOut, Qt::DescendingOrder);
+    const QModelIndex first = table.model()->index(0, AnchorTableModel::kNumber);
+    const AnchorId worst = first.data().toLongLong();
+    QCOMPARE(office.window.anchorPanel().nextByError(std::nullopt, true), std::optional(worst));
+    table.scrollTo(first);
+    QTest::mouseClick(table.viewport(), Qt::LeftButton, {}, table.visualRect(first).center());
+    QTest::mouseDClick(table.viewport(), Qt::LeftButton, {}, table.visualRect(first).center());
+    for (const Side side : {Side::kBlueprint, Side::kSlam}) {
+      const QPointF wanted = toQPointF(half(*office.document().anchor(worst), side));
+      QTRY_VERIFY_WITH_TIMEOUT(
+          QLineF(office.window.view(side).viewState().center_m, wanted).length() < office.clickError(side),
+          test::kPatience);
+    }
+  }
+
+  void scenario14_coordinatesByKeyboardAndBadTextStays() {
+    OfficeWindow office;
+    office.addExact(3);
+    QTableView& table = *office.window.anchorPanel().table();
+    table.setFocus();
+    const QModelIndex cell = table.model()->index(0, AnchorTableModel::kSlamX);
+    table.setCurrentIndex(cell);
+    const int steps = office.document().undoStack().count();
+    table.edit(cell);
+    auto* editor = table.viewport()->findChild<QLineEdit*>();
+    QVERIFY(editor);
+    editor->selectAll();
+    QTest::keyClicks(editor, QStringLiteral("abc"));
+    QTest::keyClick(editor, Qt::Key_Return);
+    QVERIFY(table.viewport()->findChild<QLineEdit*>() == editor);  // still open, nothing written
+    QCOMPARE(office.document().undoStack().count(), steps);
+    editor->selectAll();
+    QTest::keyClicks(editor, QStringLiteral("-7,5"));
+    QTest::keyClick(editor, Qt::Key_Return);
+    QCOMPARE(office.document().undoStack().count(), steps + 1);
+    QCOMPARE(
+        office.document().anchor(table.model()->index(0, AnchorTableModel::kNumber).data().toLongLong())->in_slam.x(),
+        -7.5);
+  }
+
+  void scenario18_testPoseThereAndBack_data() {
+    QTest::addColumn<double>("heading_deg");
+    QTest::newRow("0") << 0.0;
+    QTest::newRow("90") << 90.0;
+    QTest::newRow("-179") << -179.0;
+  }
+  void scenario18_testPoseThereAndBack() {
+    QFETCH(double, heading_deg);
+    OfficeWindow office;
+    office.addExact(10);
+    QVERIFY(office.waitUntilSolved());
+    office.window.actionTable()[ActionId::kTestPose]->setChecked(true);
+    TestPoses& poses = office.window.testPoses();
+    poses.setRobot({office.pairs[4].in_blueprint, heading_deg * kPi / 180.0});
+    const auto trial = poses.tried(poses.robot());
+    QVERIFY(trial && trial->in_slam.ok());
+    QVERIFY(trial->round_trip_m < 1e-3);
+    QVERIFY(trial->round_trip_rad < 0.01 * kPi / 180.0);
+    QCOMPARE(poses.glyphs(Side::kBlueprint).size(), std::size_t(1));
+    QCOMPARE(poses.glyphs(Side::kSlam).size(), std::size_t(1));
+    // Dragging it in the SLAM map moves it in the blueprint.
+    const QPointF there = toQPointF(trial->in_slam.pose.translation);
+    poses.drag(Side::kSlam, TestPoses::kRobot, there + QPointF(1.0, 0.0));
+    QVERIFY(std::abs((poses.robot().translation - office.pairs[4].in_blueprint).norm() - 1.0) < 0.2);
+    // Far outside the building it says so.
+    poses.setRobot({{-500.0, -500.0}, 0.0});
+    QVERIFY(poses.sentence().contains(QStringLiteral("Extrapolated")));
+    QVERIFY(poses.glyphs(Side::kSlam).front().hollow);
+  }
+};
+
+QTEST_MAIN(CheckingTest)
+#include "checking_test.moc"

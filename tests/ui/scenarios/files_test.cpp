@@ -1,0 +1,294 @@
+// SPDX-FileCopyrightText: 2026 The CAD2SLAM authors
+// SPDX-License-Identifier: Apache-2.0
+#include "cad2slam/io/projector_file.h"
+#include "ui/document/project_commands.h"
+#include "ui/main_window/exports.h"
+#include "ui/main_window/recovery.h"
+#include "ui/support/documents.h"
+#include "ui/support/office_window.h"
+
+#include <QFile>
+#include <QMessageBox>
+#include <QProcess>
+#include <QPushButton>
+#include <QTimer>
+
+#include <csignal>
+
+using namespace cad2slam;
+using test::OfficeWindow;
+
+namespace {
+
+constexpr char kVictimFlag[] = "--edit-until-killed";
+
+bool copyOffice(const QString& to) {
+  bool good = QDir().mkpath(to);
+  for (const char* name : {"blueprint.yaml", "blueprint.png", "slam_1.yaml", "slam_1.png"})
+    good = good && QFile::copy(OfficeWindow::sample(name), to + QLatin1Char('/') + QLatin1String(name));
+  return good;
+}
+
+void write(const QString& path, const QByteArray& text) {
+  QFile file(path);
+  QVERIFY(file.open(QIODevice::WriteOnly));
+  file.write(text);
+}
+
+/// Presses a button of the question that is about to come up.
+void answerNextQuestion(QMessageBox::StandardButton button) {
+  auto* timer = new QTimer(qApp);
+  QObject::connect(timer, &QTimer::timeout, timer, [timer, button] {
+    auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
+    if (!box) return;
+    timer->deleteLater();
+    box->button(button)->click();
+  });
+  timer->start(20);
+}
+
+}  // namespace
+
+class FilesTest : public QObject {
+  Q_OBJECT
+
+ private:
+  std::optional<test::Sandbox> sandbox_;
+
+ private slots:
+  void init() { sandbox_.emplace(); }
+
+  void saveAndOpenGiveTheSameProject() {
+    const QString path = sandbox_->path(QStringLiteral("site.c2sproj"));
+    std::string saved;
+    {
+      OfficeWindow office;
+      office.addExact(5);
+      office.click(Side::kSlam, {1.0, 1.0});
+      office.window.view(Side::kBlueprint).zoomBy(3.0);
+      QVERIFY(office.window.files().saveProjectTo(path));
+      QVERIFY(!office.document().isModified());
+      saved = test::fingerprint(office.document());
+    }
+    OfficeWindow again(false);
+    QVERIFY(again.window.files().openProject(path));
+    QVERIFY(again.waitUntilReady());
+    QCOMPARE(test::fingerprint(again.document()), saved);
+    QVERIFY(again.document().pending().has_value());
+    QVERIFY(!again.document().isModified());
+    QVERIFY(again.waitUntilSolved());
+  }
+
+  void scenario19_killedWhileEditingLosesAtMostTheLastGesture() {
+    const QString root = Autosave::defaultRoot();
+    QProcess victim;
+    victim.setProcessChannelMode(QProcess::ForwardedErrorChannel);
+    victim.start(QCoreApplication::applicationFilePath(), {QLatin1String(kVictimFlag), root});
+    QVERIFY(victim.waitForStarted(test::kPatience));
+    int told = 0;  // edits the victim knows to be on disk
+    QElapsedTimer since;
+    since.start();
+    while (told < 25 && since.elapsed() < test::kPatience) {
+      victim.waitForReadyRead(1000);
+      while (victim.canReadLine()) told = victim.readLine().trimmed().toInt();
+    }
+    QVERIFY(told >= 25);
+    ::kill(pid_t(victim.processId()), SIGKILL);
+    victim.waitForFinished();
+    while (victim.canReadLine()) told = victim.readLine().trimmed().toInt();
+
+    const std::vector<Recoverable> found = Autosave::findRecoverable(root);
+    QCOMPARE(found.size(), std::size_t(1));
+    QVERIFY(int(found[0].project.slam_maps.at(0).anchors.size()) >= told);
+    QCOMPARE(found[0].project_path, QStringLiteral("/nowhere/site.c2sproj"));
+
+    OfficeWindow office(false);
+    office.window.recovery().offer();
+    QVERIFY(office.pressCure(QStringLiteral("recovery-"), QStringLiteral("Recover")));
+    QVERIFY(int(office.document().anchors().size()) >= told);
+    QVERIFY(office.document().isModified());
+    // It is this run's to keep now; the dead one's is gone.
+    QVERIFY(Autosave::findRecoverable(root).empty());
+    office.document().reset(Project{}, {});
+  }
+
+  void scenario19_aFolderThatCannotBeWrittenKeepsTheOldFile() {
+    OfficeWindow office;
+    office.addExact(3);
+    const QString file = sandbox_->path(QStringLiteral("file"));
+    write(file, "not a folder");
+    QVERIFY(!office.window.files().saveProjectTo(file + QStringLiteral("/site.c2sproj")));
+    QVERIFY(office.document().isModified());
+    QVERIFY(office.hasMessage(QStringLiteral("save")));
+    QVERIFY(office.window.files().saveProjectTo(sandbox_->path(QStringLiteral("elsewhere.c2sproj"))));
+    QVERIFY(!office.hasMessage(QStringLiteral("save")) || office.hasMessage(QStringLiteral("saved")));
+  }
+
+  void aCleanEndLeavesNothingToRecover() {
+    {
+      OfficeWindow office;
+      office.addExact(3);
+      office.window.recovery().autosave().flush();
+      QVERIFY(office.window.files().saveProjectTo(sandbox_->path(QStringLiteral("site.c2sproj"))));
+      office.window.recovery().autosave().flush();
+    }
+    QVERIFY(Autosave::findRecoverable(Autosave::defaultRoot()).empty());
+  }
+
+  void scenario20_movedRenamedAndReplacedImages() {
+    const QString here = sandbox_->path(QStringLiteral("here"));
+    const QString there = sandbox_->path(QStringLiteral("there"));
+    QVERIFY(copyOffice(here));
+    {
+      OfficeWindow office(false);
+      office.window.files().setImage(Side::kBlueprint, here + QStringLiteral("/blueprint.yaml"));
+      office.window.files().setImage(Side::kSlam, here + QStringLiteral("/slam_1.yaml"));
+      QVERIFY(office.waitUntilReady());
+      office.addExact(4);
+      QVERIFY(office.window.files().saveProjectTo(here + QStringLiteral("/site.c2sproj")));
+    }
+    QVERIFY(QDir().rename(here, there));
+    {
+      OfficeWindow office(false);
+      QVERIFY(office.window.files().openProject(there + QStringLiteral("/site.c2sproj")));
+      QVERIFY(office.waitUntilReady());
+      QVERIFY(!office.hasMessage(QStringLiteral("image-")));
+    }
+    QVERIFY(QFile::rename(there + QStringLiteral("/slam_1.png"), there + QStringLiteral("/renamed.png")));
+    {
+      OfficeWindow office(false);
+      QVERIFY(office.window.files().openProject(there + QStringLiteral("/site.c2sproj")));
+      QTRY_VERIFY_WITH_TIMEOUT(office.hasMessage(QStringLiteral("image-1")), test::kPatience);
+      QCOMPARE(office.document().anchors().size(), std::size_t(4));
+      RasterProblem problem{RasterProblem::Kind::kMissing, Side::kSlam, office.document().currentMapName(), {}, {}};
+      QVERIFY(office.window.files().relocate(problem, there + QStringLiteral("/renamed.png")));
+      QVERIFY(office.waitUntilReady());
+      QVERIFY(office.waitUntilSolved());
+      QVERIFY(!office.hasMessage(QStringLiteral("image-1")));
+    }
+    QVERIFY(QFile::remove(there + QStringLiteral("/blueprint.png")));
+    QVERIFY(QImage(50, 40, QImage::Format_Grayscale8).save(there + QStringLiteral("/blueprint.png")));
+    {
+      OfficeWindow office(false);
+      QVERIFY(office.window.files().openProject(there + QStringLiteral("/site.c2sproj")));
+      QTRY_VERIFY_WITH_TIMEOUT(office.hasMessage(QStringLiteral("image-0")), test::kPatience);
+      QCOMPARE(office.document().anchors().size(), std::size_t(4));
+    }
+  }
+
+  void scenario21_messyAnchorFilesAreReadAndBadLinesNamed() {
+    OfficeWindow office;
+    const QString path = sandbox_->path(QStringLiteral("messy.csv"));
+    write(path,
+          "# from the site\nid ; blueprint_x ; blueprint_y ; slam_x ; slam_y\n 1 ; 1,5 ; 2,5 ; 3,5 ; 4,5 \n"
+          "2;nonsense;1;1;1\n3;1,25;2;3;4\n1;9;9;9;9\n");
+    QVERIFY(office.window.exports().importAnchors(path));
+    QCOMPARE(office.document().anchors().size(), std::size_t(2));
+    QCOMPARE(office.document().anchor(1)->in_blueprint, Eigen::Vector2d(1.5, 2.5));
+    QString told;
+    for (const Message& message : office.window.messages().messages())
+      if (message.id == QStringLiteral("import")) told = message.text;
+    QVERIFY2(told.contains(QStringLiteral("line 4")) && told.contains(QStringLiteral("line 6")), qPrintable(told));
+
+    const QString first = sandbox_->path(QStringLiteral("first.csv"));
+    const QString second = sandbox_->path(QStringLiteral("second.csv"));
+    QVERIFY(office.window.exports().exportAnchors(first));
+    office.document().undoStack().undo();
+    QVERIFY(office.document().anchors().empty());
+    QVERIFY(office.window.exports().importAnchors(first));
+    QVERIFY(office.window.exports().exportAnchors(second));
+    QFile a(first);
+    QFile b(second);
+    QVERIFY(a.open(QIODevice::ReadOnly) && b.open(QIODevice::ReadOnly));
+    QCOMPARE(a.readAll(), b.readAll());
+  }
+
+  void scenario23_badMapsAreNamedAndNothingIsLost() {
+    OfficeWindow office;
+    office.addExact(3);
+    const std::string before = test::fingerprint(office.document());
+    const QString yaml = sandbox_->path(QStringLiteral("bad.yaml"));
+    for (const QByteArray text : {QByteArray("image: nowhere.png\nresolution: 0.05\norigin: [0, 0, 0]\n"),
+                                  QByteArray("resolution: -1\n"), QByteArray("\0\1\2", 3), QByteArray("image: [1\n")}) {
+      write(yaml, text);
+      QVERIFY(!office.window.files().setImage(Side::kSlam, yaml));
+      QVERIFY(office.hasMessage(QStringLiteral("choose-image")));
+      QCOMPARE(test::fingerprint(office.document()), before);
+    }
+  }
+
+  void scenario25_exportRefusesChecksAndReadsBack() {
+    const QString path = sandbox_->path(QStringLiteral("site.c2s"));
+    OfficeWindow office;
+    QCOMPARE(exportChecks(office.session()).front().verdict, ExportCheck::Verdict::kRefused);
+    QVERIFY(!office.window.exports().exportProjector(path));
+    QVERIFY(!QFile::exists(path));
+    office.addExact(10);
+    edit::moveAnchor(office.document(), 4, Side::kSlam, office.pairs[3].in_slam + Eigen::Vector2d(3.0, 0.0),
+                     office.document().newGesture());
+    QVERIFY(office.waitUntilSolved());
+    const auto checks = exportChecks(office.session());
+    QVERIFY(std::any_of(checks.begin(), checks.end(), [](const ExportCheck& check) {
+      return check.verdict == ExportCheck::Verdict::kWarning && check.sentence.contains(QLatin1Char('4'));
+    }));
+    QVERIFY(office.window.exports().exportProjector(path, QStringLiteral("anchor 4 fits badly")));
+    const ProjectorData warned = readProjectorFile(toPath(path)).value();
+    QCOMPARE(warned.info.note, std::string("anchor 4 fits badly"));
+    QCOMPARE(warned.info.slam.image_sha256.size(), std::size_t(64));
+    QVERIFY(!warned.check_poses.empty());
+
+    office.document().undoStack().undo();
+    QVERIFY(office.waitUntilSolved());
+    const QString fixed = sandbox_->path(QStringLiteral("fixed.c2s"));
+    QVERIFY(office.window.exports().exportProjector(fixed));
+    QVERIFY(readProjectorFile(toPath(fixed)).value().node_slam[0].translation != warned.node_slam[0].translation);
+    QVERIFY(office.window.exports().inspectProjector(path));
+    QVERIFY(office.hasMessage(QStringLiteral("inspect")));
+  }
+
+  void scenario28_closeAsksOnlyWhereSomethingIsUnsaved() {
+    OfficeWindow office;
+    const QString path = sandbox_->path(QStringLiteral("site.c2sproj"));
+    office.addExact(2);
+    answerNextQuestion(QMessageBox::Cancel);
+    QVERIFY(!office.window.close());
+    QVERIFY(office.window.isVisible());
+    QCOMPARE(office.document().anchors().size(), std::size_t(2));
+    QVERIFY(office.window.files().saveProjectTo(path));
+    office.addExact(1, 2);
+    answerNextQuestion(QMessageBox::Save);
+    QVERIFY(office.window.close());
+    QCOMPARE(readProject(toPath(path)).value().slam_maps.at(0).anchors.size(), std::size_t(3));
+    office.window.show();
+    QVERIFY(office.window.close());  // nothing unsaved: no question
+    office.window.show();
+    office.addExact(1, 3);
+    answerNextQuestion(QMessageBox::Discard);
+    QVERIFY(office.window.close());
+    QCOMPARE(readProject(toPath(path)).value().slam_maps.at(0).anchors.size(), std::size_t(3));
+  }
+};
+
+/// Adds anchors as fast as the journal takes them and tells how many are on disk.
+static int editUntilKilled(int argc, char** argv) {
+  QCoreApplication app(argc, argv);
+  ProjectDocument document;
+  Autosave autosave(document, QString::fromLocal8Bit(argv[2]));
+  document.reset(test::smallProject(), "/nowhere/site.c2sproj");
+  QFile out;
+  if (!out.open(stdout, QIODevice::WriteOnly)) return 1;
+  for (int count = 1;; ++count) {
+    edit::addAnchor(document, {0.1 * count, 1.0}, {2.0, 0.2 * count});
+    autosave.flush();
+    out.write(QByteArray::number(count) + '\n');
+    out.flush();
+  }
+}
+
+int main(int argc, char** argv) {
+  if (argc == 3 && qstrcmp(argv[1], kVictimFlag) == 0) return editUntilKilled(argc, argv);
+  QApplication app(argc, argv);
+  FilesTest test;
+  return QTest::qExec(&test, argc, argv);
+}
+#include "files_test.moc"

@@ -1,0 +1,159 @@
+// SPDX-FileCopyrightText: 2026 The CAD2SLAM authors
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/main_window/appearance.h"
+#include "ui/panels/preview_panel.h"
+#include "ui/panels/status_strip.h"
+#include "ui/support/office_window.h"
+
+#include <QFile>
+#include <QImage>
+#include <QRegularExpression>
+#include <QSet>
+#include <QXmlStreamReader>
+
+using namespace cad2slam;
+using test::OfficeWindow;
+
+namespace {
+
+/// A picture with hardly any colours shows nothing.
+int colorsIn(const QImage& image) {
+  QSet<QRgb> colors;
+  for (int y = 0; y < image.height(); y += 3)
+    for (int x = 0; x < image.width(); x += 3) colors.insert(image.pixel(x, y));
+  return int(colors.size());
+}
+
+}  // namespace
+
+class LookingTest : public QObject {
+  Q_OBJECT
+
+ private:
+  std::optional<test::Sandbox> sandbox_;
+
+ private slots:
+  void init() { sandbox_.emplace(); }
+
+  void scenario15_everyPreviewModeWithAnyNumberOfAnchors_data() {
+    QTest::addColumn<int>("count");
+    for (const int count : {0, 1, 2, 3, 30}) QTest::addRow("%d anchors", count) << count;
+  }
+  void scenario15_everyPreviewModeWithAnyNumberOfAnchors() {
+    QFETCH(int, count);
+    OfficeWindow office;
+    office.addExact(std::size_t(count));
+    if (count > 0) QVERIFY(office.waitUntilSolved());
+    for (int mode = 0; mode < kPreviewModeCount; ++mode) {
+      office.window.preview().setMode(static_cast<PreviewMode>(mode));
+      QTRY_VERIFY2_WITH_TIMEOUT(colorsIn(office.window.preview().view().grab().toImage()) > 8,
+                                qPrintable(QStringLiteral("mode %1").arg(mode)), test::kPatience);
+    }
+  }
+
+  void scenario16_linkedViewsShowTheSamePlace() {
+    OfficeWindow office;
+    office.addExact(12);
+    QVERIFY(office.waitUntilSolved());
+    MapView& left = office.window.view(Side::kBlueprint);
+    MapView& right = office.window.view(Side::kSlam);
+    left.setFocus();
+    office.window.actionTable()[ActionId::kLink]->setChecked(true);
+    int changes = 0;
+    connect(&left, &MapView::viewStateChanged, this, [&] { ++changes; });
+    connect(&right, &MapView::viewStateChanged, this, [&] { ++changes; });
+    left.centerOn(toQPointF(office.pairs[4].in_blueprint), false);
+    left.zoomBy(3.0);
+    left.setRotation(kPi / 2.0);
+    QCoreApplication::processEvents();
+    QVERIFY2(changes <= 12, qPrintable(QString::number(changes)));  // each view follows once, they do not chase
+    const auto there = office.session().carry(Side::kBlueprint, left.viewState().center_m);
+    QVERIFY(there.has_value());
+    QVERIFY(QLineF(right.viewState().center_m, there->point_m).length() < 1e-6);
+    QVERIFY(std::abs(wrapAngle(right.viewState().rotation_rad + there->turn_rad - left.viewState().rotation_rad)) <
+            1e-9);
+    // The same from the right, and off means off.
+    right.zoomBy(2.0);
+    QVERIFY(std::abs(left.viewState().m_per_px * there->scale / right.viewState().m_per_px - 1.0) < 0.05);
+    const ViewState kept = left.viewState();
+    office.window.actionTable()[ActionId::kLink]->setChecked(false);
+    QVERIFY(left.viewState() == kept);
+    right.zoomBy(2.0);
+    QVERIFY(left.viewState() == kept);
+  }
+
+  void scenario17_theMirroredCursorIsWhereTheProjectorSays() {
+    OfficeWindow office;
+    office.addExact(30);
+    QVERIFY(office.waitUntilSolved());
+    for (std::size_t i = 0; i < 10; ++i) {
+      const auto carried = office.session().carry(Side::kBlueprint, toQPointF(office.pairs[i].in_blueprint));
+      const Projection exact = office.session().alignment().result()->projector.slamFromBlueprint(
+          {office.pairs[i].in_blueprint, 0.0}, OutsidePolicy::kRigid);
+      QVERIFY(carried && exact.ok());
+      QVERIFY((toEigen(carried->point_m) - exact.pose.translation).norm() < 0.05);
+      const auto back = office.session().carry(Side::kSlam, carried->point_m);
+      QVERIFY(back.has_value());
+      QVERIFY((toEigen(back->point_m) - office.pairs[i].in_blueprint).norm() < 1e-5);
+    }
+    // And it is drawn: hovering changes the other view.
+    MapView& right = office.window.view(Side::kSlam);
+    const QImage before = right.grab().toImage();
+    QTest::mouseMove(&office.window.view(Side::kBlueprint), QPoint(300, 200));
+    QTRY_VERIFY_WITH_TIMEOUT(right.grab().toImage() != before, test::kPatience);
+  }
+
+  void scenario27_everyActionCanBeReachedAndEveryWidgetHasAName() {
+    OfficeWindow office;
+    for (const QAction* action : office.window.actionTable().all()) {
+      QVERIFY(!action->text().isEmpty());
+      QVERIFY2(!action->toolTip().isEmpty(), qPrintable(action->text()));
+      bool in_menu = false;
+      for (const QObject* object : action->associatedObjects()) in_menu = in_menu || object->inherits("QMenu");
+      QVERIFY2(in_menu, qPrintable(action->text()));
+    }
+    QMultiMap<QString, QString> by_key;
+    for (const QAction* action : office.window.actionTable().all())
+      for (const QKeySequence& key : action->shortcuts()) by_key.insert(key.toString(), action->text());
+    for (const QString& key : by_key.uniqueKeys()) QVERIFY2(by_key.count(key) == 1, qPrintable(key));
+    for (const Side side : {Side::kBlueprint, Side::kSlam})
+      QVERIFY(!office.window.view(side).accessibleName().isEmpty());
+  }
+
+  void scenario27_everyTextIsTranslated_data() {
+    QTest::addColumn<QString>("language");
+    QTest::newRow("German") << QStringLiteral("de");
+    QTest::newRow("Spanish") << QStringLiteral("es");
+  }
+  void scenario27_everyTextIsTranslated() {
+    QFETCH(QString, language);
+    QFile file(QStringLiteral(CAD2SLAM_SAMPLE_MAPS "/../resources/i18n/cad2slam_%1.ts").arg(language));
+    QVERIFY(file.open(QIODevice::ReadOnly));
+    QXmlStreamReader xml(&file);
+    static const QRegularExpression kPlace(QStringLiteral("%\\d|%n"));
+    const auto places = [](const QString& text) {
+      QStringList found;
+      for (auto match = kPlace.globalMatch(text); match.hasNext();) found += match.next().captured();
+      found.sort();
+      return found;
+    };
+    QString source;
+    while (!xml.atEnd()) {
+      if (xml.readNext() != QXmlStreamReader::StartElement) continue;
+      if (xml.name() == QStringLiteral("source")) source = xml.readElementText();
+      if (xml.name() == QStringLiteral("translation"))
+        QVERIFY2(!xml.attributes().hasAttribute(QStringLiteral("type")), qPrintable(source));
+      const bool is_text = xml.name() == QStringLiteral("numerusform") ||
+                           (xml.name() == QStringLiteral("translation") && !source.contains(QStringLiteral("%n")));
+      if (is_text) QCOMPARE(places(xml.readElementText()), places(source));
+    }
+    QVERIFY2(!xml.hasError(), qPrintable(xml.errorString()));
+    applyLanguage(language);
+    OfficeWindow office(false);
+    QVERIFY(!office.window.status().hint().contains(QStringLiteral("Choose")));
+    applyLanguage(QStringLiteral("en"));
+  }
+};
+
+QTEST_MAIN(LookingTest)
+#include "looking_test.moc"

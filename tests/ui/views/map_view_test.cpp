@@ -1,0 +1,487 @@
+// SPDX-FileCopyrightText: 2026 The CAD2SLAM authors
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/views/map_view.h"
+
+#include <QApplication>
+#include <QMimeData>
+#include <QSignalSpy>
+#include <QTest>
+#include <QWheelEvent>
+
+#include "ui/convert.h"
+#include "ui/support/rasters.h"
+
+namespace cad2slam {
+namespace {
+
+constexpr double kResolution = 0.05;
+
+double distance(const QPointF& a, const QPointF& b) {
+  return std::hypot(a.x() - b.x(), a.y() - b.y());
+}
+
+Marker markerAt(MarkerId id, const QPointF& point_m) {
+  Marker marker;
+  marker.id = id;
+  marker.text = QString::number(id);
+  marker.point_m = point_m;
+  return marker;
+}
+
+/// A shown view over a plain raster with a turned, shifted frame.
+class Shown {
+ public:
+  explicit Shown(const cv::Mat& pixels = cv::Mat(600, 800, CV_8UC1, cv::Scalar(255)))
+      : frame(test::frameOf(pixels, kResolution, {{-3.0, 2.0}, 0.3})) {
+    view.setImage(TilePyramid::fromPixels(pixels));
+    view.setFrame(frame);
+    view.resize(640, 480);
+    view.show();
+    QVERIFY(QTest::qWaitForWindowExposed(&view));
+    view.fit();
+    view.setFocus();
+  }
+  [[nodiscard]] QPointF middle() const { return toQPointF(frame.metricFromPixel({400.0, 300.0})); }
+  [[nodiscard]] QPoint at(const QPointF& point_m) const { return view.widgetFromMetres(point_m).toPoint(); }
+
+  void wheel(const QPointF& at_px, int angle, Qt::KeyboardModifiers modifiers = Qt::NoModifier) {
+    QWheelEvent event(at_px, view.mapToGlobal(at_px), QPoint(), QPoint(0, angle), Qt::NoButton, modifiers,
+                      Qt::NoScrollPhase, false);
+    QCoreApplication::sendEvent(&view, &event);
+  }
+  void drag(const QPoint& from, const QPoint& to, Qt::MouseButton button = Qt::LeftButton) {
+    QTest::mousePress(&view, button, {}, from);
+    for (int step = 1; step <= 5; ++step) QTest::mouseMove(&view, from + (to - from) * step / 5);
+    QTest::mouseRelease(&view, button, {}, to);
+  }
+
+  MapFrame frame;
+  MapView view;
+};
+
+class MapViewTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void clickReportsMetres_data() {
+    QTest::addColumn<double>("rotation");
+    QTest::addColumn<double>("zoom");
+    QTest::addColumn<QPointF>("pixel");
+    QTest::newRow("middle") << 0.0 << 1.0 << QPointF(400, 300);
+    QTest::newRow("top left") << 0.0 << 1.0 << QPointF(1, 1);
+    QTest::newRow("bottom right") << 0.0 << 1.0 << QPointF(799, 599);
+    QTest::newRow("turned") << 1.2 << 1.0 << QPointF(500, 200);
+    QTest::newRow("turned and enlarged") << -2.5 << 3.0 << QPointF(420, 310);
+  }
+  void clickReportsMetres() {
+    QFETCH(double, rotation);
+    QFETCH(double, zoom);
+    QFETCH(QPointF, pixel);
+    Shown shown;
+    shown.view.setRotation(rotation);
+    shown.view.zoomBy(zoom);
+    const QPointF expected = toQPointF(shown.frame.metricFromPixel(toEigen(pixel)));
+    shown.view.centerOn(expected, false);
+    QSignalSpy clicked(&shown.view, &MapView::clicked);
+    QTest::mouseClick(&shown.view, Qt::LeftButton, {}, shown.at(expected));
+    QCOMPARE(clicked.size(), 1);
+    const double half_pixel_m = 0.75 * shown.view.viewState().m_per_px;
+    QVERIFY(distance(clicked[0][0].toPointF(), expected) <= half_pixel_m);
+    QVERIFY(distance(shown.view.imagePixelFromMetres(expected), pixel) < 1e-6);
+  }
+
+  void smallJitterIsAClickAndMoreIsAPan() {
+    Shown shown;
+    QSignalSpy clicked(&shown.view, &MapView::clicked);
+    const ViewState before = shown.view.viewState();
+    shown.drag({300, 200}, {302, 202});
+    QCOMPARE(clicked.size(), 1);
+    QVERIFY(shown.view.viewState() == before);
+
+    const QPointF grabbed = shown.view.metresFromWidget(QPointF(300, 200));
+    shown.drag({300, 200}, {360, 170});
+    QCOMPARE(clicked.size(), 1);
+    QVERIFY(distance(shown.view.widgetFromMetres(grabbed), QPointF(360, 170)) < 1e-6);
+  }
+
+  void panNearAMarkerMovesNoMarker() {
+    Shown shown;
+    const QPointF place = shown.middle();
+    shown.view.setMarkers({markerAt(1, place)});
+    QSignalSpy pressed(&shown.view, &MapView::markerPressed);
+    QSignalSpy dragged(&shown.view, &MapView::dragStarted);
+    QSignalSpy clicked(&shown.view, &MapView::clicked);
+    const QPoint start = shown.at(place) + QPoint(14, 0);
+    shown.drag(start, start + QPoint(50, 40));
+    QCOMPARE(pressed.size() + dragged.size() + clicked.size(), 0);
+  }
+
+  void middleButtonAndSpacePan() {
+    Shown shown;
+    shown.view.setMarkers({markerAt(1, shown.middle())});
+    QSignalSpy pressed(&shown.view, &MapView::markerPressed);
+    QSignalSpy clicked(&shown.view, &MapView::clicked);
+    const QPoint start = shown.at(shown.middle());  // even on a marker
+    shown.drag(start, start + QPoint(-60, 10), Qt::MiddleButton);
+    QCOMPARE(shown.at(shown.middle()), start + QPoint(-60, 10));
+    QTest::keyPress(&shown.view, Qt::Key_Space);
+    shown.drag(shown.at(shown.middle()), start);
+    QTest::mouseClick(&shown.view, Qt::LeftButton, {}, QPoint(100, 100));
+    QTest::keyRelease(&shown.view, Qt::Key_Space);
+    QCOMPARE(shown.at(shown.middle()), start);
+    QCOMPARE(pressed.size() + clicked.size(), 0);
+  }
+
+  void nearestMarkerWins() {
+    Shown shown;
+    const QPointF place = shown.middle();
+    const double px = shown.view.viewState().m_per_px;
+    shown.view.setMarkers({markerAt(1, place), markerAt(2, place + QPointF(14 * px, 0))});
+    QSignalSpy pressed(&shown.view, &MapView::markerPressed);
+    QTest::mouseClick(&shown.view, Qt::LeftButton, Qt::ControlModifier, shown.at(place) + QPoint(9, 0));
+    QCOMPARE(pressed.size(), 1);
+    QCOMPARE(pressed[0][0].value<MarkerId>(), MarkerId(2));
+    QCOMPARE(pressed[0][1].value<Qt::KeyboardModifiers>(), Qt::ControlModifier);
+  }
+
+  void dragKeepsTheGrip() {
+    Shown shown;
+    shown.view.setSnapping(false);
+    const QPointF place = shown.middle();
+    shown.view.setMarkers({markerAt(7, place)});
+    QSignalSpy started(&shown.view, &MapView::dragStarted);
+    QSignalSpy moved(&shown.view, &MapView::dragMoved);
+    QSignalSpy finished(&shown.view, &MapView::dragFinished);
+    QSignalSpy clicked(&shown.view, &MapView::clicked);
+    const QPointF target = shown.view.metresFromWidget(shown.view.widgetFromMetres(place) + QPointF(40, -25));
+    const QPoint grip = shown.at(place) + QPoint(5, 4);  // not quite on its centre
+    shown.drag(grip, grip + QPoint(40, -25));
+    QCOMPARE(started.size(), 1);
+    QVERIFY(moved.size() >= 3);
+    QCOMPARE(finished.size(), 1);
+    QCOMPARE(finished[0][0].value<MarkerId>(), MarkerId(7));
+    QVERIFY(distance(finished[0][1].toPointF(), target) < 1e-6);
+    QCOMPARE(clicked.size(), 0);
+  }
+
+  void escapeRestoresADrag() {
+    Shown shown;
+    shown.view.setMarkers({markerAt(7, shown.middle())});
+    QSignalSpy cancelled(&shown.view, &MapView::dragCancelled);
+    QSignalSpy finished(&shown.view, &MapView::dragFinished);
+    QSignalSpy moved(&shown.view, &MapView::dragMoved);
+    QSignalSpy idle(&shown.view, &MapView::cancelRequested);
+    const QPoint start = shown.at(shown.middle());
+    QTest::mousePress(&shown.view, Qt::LeftButton, {}, start);
+    QTest::mouseMove(&shown.view, start + QPoint(30, 0));
+    QVERIFY(shown.view.isDragging());
+    QTest::keyClick(&shown.view, Qt::Key_Escape);
+    QCOMPARE(cancelled.size(), 1);
+    const auto moves = moved.size();
+    QTest::mouseMove(&shown.view, start + QPoint(60, 0));
+    QTest::mouseRelease(&shown.view, Qt::LeftButton, {}, start + QPoint(60, 0));
+    QCOMPARE(moved.size(), moves);
+    QCOMPARE(finished.size(), 0);
+    for (int i = 0; i < 10; ++i) QTest::keyClick(&shown.view, Qt::Key_Escape);
+    QCOMPARE(idle.size(), 10);
+    QVERIFY(shown.view.isVisible());
+  }
+
+  void lockedMarkersAreSelectedNotMoved() {
+    Shown shown;
+    Marker marker = markerAt(7, shown.middle());
+    marker.selected = true;
+    shown.view.setMarkers({marker});
+    shown.view.setLocked(true);
+    QSignalSpy pressed(&shown.view, &MapView::markerPressed);
+    QSignalSpy started(&shown.view, &MapView::dragStarted);
+    QSignalSpy nudged(&shown.view, &MapView::nudged);
+    const QPoint start = shown.at(shown.middle());
+    shown.drag(start, start + QPoint(40, 0));
+    QTest::keyClick(&shown.view, Qt::Key_Left);
+    QCOMPARE(pressed.size(), 1);
+    QCOMPARE(started.size() + nudged.size(), 0);
+  }
+
+  void wheelZoomsAtTheCursor() {
+    Shown shown;
+    shown.view.setRotation(0.7);
+    const QPointF cursor(150, 330);
+    const QPointF below = shown.view.metresFromWidget(cursor);
+    const double before = shown.view.viewState().m_per_px;
+    for (int i = 0; i < 5; ++i) shown.wheel(cursor, 120);
+    QVERIFY(shown.view.viewState().m_per_px < before / 2.5);
+    QVERIFY(distance(shown.view.widgetFromMetres(below), cursor) < 1e-6);
+    for (int i = 0; i < 5; ++i) shown.wheel(cursor, -120);
+    QVERIFY(std::abs(shown.view.viewState().m_per_px - before) < 1e-9);
+    for (int i = 0; i < 400; ++i) shown.wheel(cursor, i < 200 ? 240 : -240);  // never beyond use
+    QVERIFY(shown.view.viewState().m_per_px > 0.0 && std::isfinite(shown.view.viewState().m_per_px));
+    shown.wheel(cursor, 120, Qt::ShiftModifier);
+    QVERIFY(std::abs(shown.view.viewState().rotation_rad - 0.7) > 0.05);
+  }
+
+  void zoomWhileDraggingKeepsTheMarkerUnderTheCursor() {
+    Shown shown;
+    shown.view.setSnapping(false);
+    shown.view.setMarkers({markerAt(7, shown.middle())});
+    QSignalSpy finished(&shown.view, &MapView::dragFinished);
+    const QPoint start = shown.at(shown.middle());
+    const QPoint end = start + QPoint(80, 30);
+    QTest::mousePress(&shown.view, Qt::LeftButton, {}, start);
+    QTest::mouseMove(&shown.view, end);
+    shown.wheel(end, 360);
+    QTest::mouseRelease(&shown.view, Qt::LeftButton, {}, end);
+    QCOMPARE(finished.size(), 1);
+    QVERIFY(distance(shown.view.widgetFromMetres(finished[0][1].toPointF()), end) < 1.5);
+  }
+
+  void snapIsShownBeforeTheClickAndReported() {
+    Shown shown(test::floorPlan(800, 600));
+    shown.view.showActualSize();
+    const QPointF corner = toQPointF(shown.frame.metricFromPixel({404.0, 324.0}));  // inner corner of a room
+    shown.view.centerOn(corner, false);
+    QSignalSpy clicked(&shown.view, &MapView::clicked);
+    const QPoint beside = shown.at(corner) + QPoint(5, 4);
+    QTest::mouseMove(&shown.view, beside + QPoint(1, 0));
+    QTest::mouseMove(&shown.view, beside);
+    const QImage with_square = shown.view.grab().toImage();
+    QTest::mouseClick(&shown.view, Qt::LeftButton, {}, beside);
+    QCOMPARE(clicked.size(), 1);
+    QVERIFY(clicked[0][2].toBool());
+    QVERIFY2(distance(clicked[0][0].toPointF(), corner) < 0.6 * kResolution,
+             qPrintable(QString::number(distance(clicked[0][0].toPointF(), corner) / kResolution)));
+
+    QTest::mouseMove(&shown.view, beside + QPoint(1, 0));
+    shown.view.setSnapping(false);
+    QVERIFY(shown.view.grab().toImage() != with_square);
+    QTest::mouseClick(&shown.view, Qt::LeftButton, {}, beside);
+    QVERIFY(!clicked[1][2].toBool());
+  }
+
+  void altSuspendsSnapping() {
+    Shown shown(test::floorPlan(800, 600));
+    shown.view.showActualSize();
+    const QPointF corner = toQPointF(shown.frame.metricFromPixel({404.0, 324.0}));
+    shown.view.centerOn(corner, false);
+    QSignalSpy clicked(&shown.view, &MapView::clicked);
+    const QPoint beside = shown.at(corner) + QPoint(5, 4);
+    QTest::mouseMove(&shown.view, beside);
+    QTest::keyPress(&shown.view, Qt::Key_Alt, Qt::AltModifier);
+    QTest::mouseClick(&shown.view, Qt::LeftButton, Qt::AltModifier, beside);
+    QVERIFY(!clicked[0][2].toBool());
+  }
+
+  void arrowKeysNudgeByImagePixels() {
+    Shown shown;
+    Marker marker = markerAt(7, shown.middle());
+    marker.selected = true;
+    shown.view.setMarkers({marker});
+    shown.view.setRotation(1.0);
+    QSignalSpy nudged(&shown.view, &MapView::nudged);
+    QTest::keyClick(&shown.view, Qt::Key_Right);
+    QTest::keyClick(&shown.view, Qt::Key_Up, Qt::ShiftModifier);
+    QTest::keyClick(&shown.view, Qt::Key_Left, Qt::ControlModifier);
+    QCOMPARE(nudged.size(), 3);
+    const QPointF right = nudged[0][0].toPointF();
+    const QPointF on_screen = shown.view.widgetFromMetres(right) - shown.view.widgetFromMetres(QPointF(0, 0));
+    QVERIFY(on_screen.x() > 0 && std::abs(on_screen.y()) < 1e-9);
+    QVERIFY(std::abs(std::hypot(right.x(), right.y()) - kResolution) < 1e-12);
+    const QPointF up = nudged[1][0].toPointF();
+    QVERIFY(std::abs(std::hypot(up.x(), up.y()) - 10 * kResolution) < 1e-12);
+    const QPointF left = nudged[2][0].toPointF();
+    QVERIFY(distance(left, right * -0.1) < 1e-12);
+    QCOMPARE(nudged[0][1].toInt(), nudged[2][1].toInt());  // one burst
+    QTest::qWait(1100);
+    QTest::keyClick(&shown.view, Qt::Key_Right);
+    QVERIFY(nudged[3][1].toInt() != nudged[0][1].toInt());
+  }
+
+  void arrowKeysPanWithoutASelection() {
+    Shown shown;
+    QSignalSpy nudged(&shown.view, &MapView::nudged);
+    const ViewState before = shown.view.viewState();
+    QTest::keyClick(&shown.view, Qt::Key_Down);
+    QCOMPARE(nudged.size(), 0);
+    QVERIFY(shown.view.viewState() != before);
+  }
+
+  void rightClickAsksForAMenu() {
+    Shown shown;
+    shown.view.setMarkers({markerAt(3, shown.middle())});
+    QSignalSpy marker_menu(&shown.view, &MapView::markerMenuRequested);
+    QSignalSpy menu(&shown.view, &MapView::menuRequested);
+    QSignalSpy pressed(&shown.view, &MapView::markerPressed);
+    QTest::mouseClick(&shown.view, Qt::RightButton, {}, shown.at(shown.middle()));
+    QTest::mouseClick(&shown.view, Qt::RightButton, {}, QPoint(60, 60));
+    QCOMPARE(marker_menu.size(), 1);
+    QCOMPARE(menu.size(), 1);
+    QCOMPARE(pressed.size(), 0);
+  }
+
+  void hoverEnlargesAndTells() {
+    Shown shown;
+    shown.view.setMarkers({markerAt(3, shown.middle())});
+    QSignalSpy hovered(&shown.view, &MapView::hoveredMarkerChanged);
+    QTest::mouseMove(&shown.view, QPoint(100, 100));
+    const QImage plain = shown.view.grab().toImage();
+    QTest::mouseMove(&shown.view, shown.at(shown.middle()));
+    QCOMPARE(hovered.size(), 1);
+    QCOMPARE(hovered[0][0].value<MarkerId>(), MarkerId(3));
+    QTest::mouseMove(&shown.view, QPoint(100, 100));
+    QCOMPARE(hovered.size(), 2);
+    QCOMPARE(hovered[1][0].value<MarkerId>(), kNoMarker);
+    shown.view.setHighlighted(3);  // the other view's hover
+    QVERIFY(shown.view.grab().toImage() != plain);
+  }
+
+  void loupeIsHeldOrKept() {
+    Shown shown(test::floorPlan(800, 600));
+    QTest::mouseMove(&shown.view, QPoint(300, 200));
+    QSignalSpy held(&shown.view, &MapView::loupeHeld);
+    const QImage plain = shown.view.grab().toImage();
+    QTest::keyPress(&shown.view, Qt::Key_Z);
+    QVERIFY(shown.view.grab().toImage() != plain);
+    QTest::keyRelease(&shown.view, Qt::Key_Z);
+    QCOMPARE(shown.view.grab().toImage(), plain);
+    QCOMPARE(held.size(), 2);
+    QTest::keyClick(&shown.view, Qt::Key_L);
+    QVERIFY(shown.view.isLoupeOn());
+    QVERIFY(shown.view.grab().toImage() != plain);
+    QTest::keyClick(&shown.view, Qt::Key_L);
+    QVERIFY(!shown.view.isLoupeOn());
+  }
+
+  void fitShowsTheWholeRasterAndStaysWhileResizing() {
+    Shown shown;
+    for (const QSize size : {QSize(640, 480), QSize(300, 700), QSize(900, 200)}) {
+      for (const double rotation : {0.0, 0.8}) {
+        shown.view.setRotation(rotation);
+        shown.view.fit();
+        shown.view.resize(size);
+        QCoreApplication::processEvents();
+        for (const Eigen::Vector2d& corner :
+             {Eigen::Vector2d(0, 0), Eigen::Vector2d(800, 0), Eigen::Vector2d(0, 600), Eigen::Vector2d(800, 600)}) {
+          QVERIFY(shown.view.isInView(toQPointF(shown.frame.metricFromPixel(corner)), 0.0));
+        }
+      }
+    }
+    const ViewState before = shown.view.viewState();
+    shown.wheel(QPointF(100, 100), 120);
+    const double zoomed = shown.view.viewState().m_per_px;
+    QVERIFY(zoomed < before.m_per_px);
+    shown.view.resize(500, 500);
+    QCoreApplication::processEvents();
+    QCOMPARE(shown.view.viewState().m_per_px, zoomed);  // the user's view is not thrown away
+  }
+
+  void actualSizeIsOneDevicePixel() {
+    Shown shown;
+    shown.view.showActualSize();
+    QVERIFY(std::abs(shown.view.viewState().m_per_px - kResolution * shown.view.devicePixelRatioF()) < 1e-12);
+  }
+
+  void glideArrivesAndNeverZooms() {
+    Shown shown;
+    const QPointF target = toQPointF(shown.frame.metricFromPixel({700, 500}));
+    const ViewState before = shown.view.viewState();
+    shown.view.centerOn(target, true);
+    QTRY_VERIFY(distance(shown.view.viewState().center_m, target) < 1e-9);
+    QCOMPARE(shown.view.viewState().m_per_px, before.m_per_px);
+    QCOMPARE(shown.view.viewState().rotation_rad, before.rotation_rad);
+  }
+
+  void compassTurnsAndResets() {
+    Shown shown;
+    const QPoint compass(640 - 27, 27);
+    shown.drag(compass + QPoint(0, -15), compass + QPoint(15, 0));
+    QVERIFY2(std::abs(shown.view.viewState().rotation_rad + kPi / 2.0) < 0.1,
+             qPrintable(QString::number(shown.view.viewState().rotation_rad)));
+    QTest::mouseClick(&shown.view, Qt::LeftButton, {}, compass);
+    QCOMPARE(shown.view.viewState().rotation_rad, 0.0);
+  }
+
+  void posesAreMovedAndTurned() {
+    Shown shown;
+    PoseGlyph pose;
+    pose.id = 1000;
+    pose.point_m = shown.middle();
+    pose.heading_rad = 0.0;
+    pose.turnable = true;
+    pose.color = Qt::darkGreen;
+    shown.view.setPoses({pose});
+    QSignalSpy finished(&shown.view, &MapView::dragFinished);
+    QSignalSpy turned(&shown.view, &MapView::poseTurnFinished);
+    const QPoint body = shown.at(pose.point_m);
+    shown.drag(body, body + QPoint(-50, 20));
+    QCOMPARE(finished.size(), 1);
+    const double radius = std::max(7.0, pose.radius_m / shown.view.viewState().m_per_px);
+    const QPoint handle = body + QPoint(static_cast<int>(radius) + 22, 0);
+    shown.drag(handle, body + QPoint(0, -60));
+    QCOMPARE(turned.size(), 1);
+    QVERIFY(std::abs(turned[0][1].toDouble() - kPi / 2.0) < 0.05);
+  }
+
+  void rasterIsDrawnWhereTheFrameSaysIt_data() {
+    QTest::addColumn<double>("rotation");
+    QTest::addColumn<double>("zoom");
+    for (const double rotation : {0.0, 0.5, -1.9, 3.1}) {
+      for (const double zoom : {0.4, 1.0, 2.7, 9.0}) {
+        QTest::addRow("%g rad, x%g", rotation, zoom) << rotation << zoom;
+      }
+    }
+  }
+  void rasterIsDrawnWhereTheFrameSaysIt() {
+    QFETCH(double, rotation);
+    QFETCH(double, zoom);
+    cv::Mat pixels(600, 800, CV_8UC1, cv::Scalar(255));
+    pixels(cv::Rect(400, 300, 16, 16)).setTo(0);
+    Shown shown(pixels);
+    shown.view.setSnapping(false);
+    shown.view.setRotation(rotation);
+    shown.view.setViewState({toQPointF(shown.frame.metricFromPixel({406.0, 310.0})), kResolution / zoom, rotation});
+    QCoreApplication::processEvents();
+    const QImage picture = shown.view.grab().toImage();
+    const double ratio = shown.view.devicePixelRatioF();
+    const auto greyAt = [&](double column, double row) {
+      const QPointF at = shown.view.widgetFromMetres(toQPointF(shown.frame.metricFromPixel({column, row}))) * ratio;
+      return qGray(picture.pixel(static_cast<int>(std::floor(at.x())), static_cast<int>(std::floor(at.y()))));
+    };
+    const double far = 4.0 / zoom / ratio + 1.0;  // a few device pixels beside the edge
+    QVERIFY(greyAt(408.0, 308.0) < 60);
+    if (16.0 > 2.0 * far) {
+      QVERIFY(greyAt(400.0 + far, 308.0) < 60);
+      QVERIFY(greyAt(408.0, 316.0 - far) < 60);
+    }
+    QVERIFY(greyAt(400.0 - far, 308.0) > 200);
+    QVERIFY(greyAt(416.0 + far, 308.0) > 200);
+    QVERIFY(greyAt(408.0, 300.0 - far) > 200);
+    QVERIFY(greyAt(408.0, 316.0 + far) > 200);
+  }
+
+  void withoutAnImageNothingIsPlaced() {
+    MapView view;
+    view.setEmptyText(QStringLiteral("Drop a blueprint here"));
+    view.resize(300, 200);
+    view.show();
+    QVERIFY(QTest::qWaitForWindowExposed(&view));
+    QSignalSpy clicked(&view, &MapView::clicked);
+    QSignalSpy dropped(&view, &MapView::filesDropped);
+    QTest::mouseClick(&view, Qt::LeftButton, {}, QPoint(100, 100));
+    QCOMPARE(clicked.size(), 0);
+    QMimeData mime;
+    mime.setUrls({QUrl::fromLocalFile(QStringLiteral("/tmp/plan.png")), QUrl(QStringLiteral("http://example.org/x"))});
+    QDragEnterEvent enter(QPoint(50, 50), Qt::CopyAction, &mime, Qt::LeftButton, Qt::NoModifier);
+    QCoreApplication::sendEvent(&view, &enter);
+    QVERIFY(enter.isAccepted());
+    QDropEvent drop(QPointF(50, 50), Qt::CopyAction, &mime, Qt::LeftButton, Qt::NoModifier);
+    QCoreApplication::sendEvent(&view, &drop);
+    QCOMPARE(dropped.size(), 1);
+    QCOMPARE(dropped[0][0].toStringList(), QStringList{QStringLiteral("/tmp/plan.png")});
+  }
+};
+
+}  // namespace
+}  // namespace cad2slam
+
+QTEST_MAIN(cad2slam::MapViewTest)
+#include "map_view_test.moc"

@@ -1,0 +1,169 @@
+// SPDX-FileCopyrightText: 2026 The CAD2SLAM authors
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/views/preview_view.h"
+
+#include <set>
+
+#include <QSignalSpy>
+#include <QTest>
+
+#include "ui/convert.h"
+#include "ui/support/rasters.h"
+
+namespace cad2slam {
+namespace {
+
+const QPoint kProbe(120, 90);
+
+/// A white base with a view that has been given an orange picture of whatever kind is asked for.
+class Shown {
+ public:
+  Shown() : frame(test::frameOf(pixels, 0.05)) {
+    view.setImage(TilePyramid::fromPixels(pixels));
+    view.setFrame(frame);
+    view.resize(640, 480);
+    view.show();
+    QVERIFY(QTest::qWaitForWindowExposed(&view));
+    view.fit();
+    view.setInks({{QColor(224, 0, 132), QStringLiteral("Blueprint")}, {QColor(0, 154, 68), QStringLiteral("Robot")}});
+    bring();
+  }
+  void bring() {
+    PreviewPicture picture;
+    picture.kind = previewKind(view.mode());
+    picture.state = view.viewState();
+    picture.size = view.size() + QSize(40, 40);
+    picture.full_color = 0.02;
+    const double ratio = view.devicePixelRatioF();
+    picture.image = QImage((QSizeF(picture.size) * ratio).toSize(), QImage::Format_ARGB32_Premultiplied);
+    picture.image.fill(QColor(255, 120, 0));
+    view.setPicture(picture);
+  }
+  [[nodiscard]] QColor colorAt(const QPoint& at) {
+    return view.grab().toImage().pixelColor((QPointF(at) * view.devicePixelRatioF()).toPoint());
+  }
+
+  cv::Mat pixels = cv::Mat(600, 800, CV_8UC1, cv::Scalar(255));
+  MapFrame frame;
+  PreviewView view;
+};
+
+class PreviewViewTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void opacityMixes() {
+    Shown shown;
+    const QColor orange(255, 120, 0);
+    for (const double opacity : {0.0, 0.5, 1.0}) {
+      shown.view.setOpacity(opacity);
+      const double expected = 255.0 + opacity * (orange.green() - 255.0);
+      QVERIFY(std::abs(shown.colorAt(kProbe).green() - expected) < 3.0);
+    }
+  }
+
+  void everyModeHasALegendAndShowsSomething() {
+    Shown shown;
+    std::set<QByteArray> pictures;
+    for (int i = 0; i < kPreviewModeCount; ++i) {
+      shown.view.setMode(static_cast<PreviewMode>(i));
+      shown.bring();
+      QTest::mouseMove(&shown.view, QPoint(200 + i, 200));
+      const QImage image = shown.view.grab().toImage();
+      pictures.insert(QByteArray(reinterpret_cast<const char*>(image.constBits()), image.sizeInBytes()));
+      const QColor panel = image.pixelColor(image.width() - static_cast<int>(14 * shown.view.devicePixelRatioF()),
+                                            image.height() - static_cast<int>(12 * shown.view.devicePixelRatioF()));
+      QVERIFY(panel.lightness() > 150);
+    }
+    QCOMPARE(pictures.size(), std::size_t(kPreviewModeCount));
+  }
+
+  void blinkAndHideWhileBIsHeld() {
+    Shown shown;
+    shown.view.setMode(PreviewMode::kBlink);
+    QCOMPARE(shown.colorAt(kProbe), QColor(Qt::white));
+    shown.view.setFocus();
+    QTest::keyPress(&shown.view, Qt::Key_B);
+    QCOMPARE(shown.colorAt(kProbe), QColor(255, 120, 0));
+    QTest::keyRelease(&shown.view, Qt::Key_B);
+    QCOMPARE(shown.colorAt(kProbe), QColor(Qt::white));
+    shown.view.setMode(PreviewMode::kOverlay);
+    shown.view.setOpacity(1.0);
+    QTest::keyPress(&shown.view, Qt::Key_B);
+    QCOMPARE(shown.colorAt(kProbe), QColor(Qt::white));
+    QTest::keyRelease(&shown.view, Qt::Key_B);
+    shown.view.setMode(PreviewMode::kBlink);
+    shown.view.setAutoBlink(true);
+    QTRY_COMPARE(shown.colorAt(kProbe), QColor(255, 120, 0));
+    QTRY_COMPARE(shown.colorAt(kProbe), QColor(Qt::white));
+  }
+
+  void swipeBarIsDragged() {
+    Shown shown;
+    shown.view.setMode(PreviewMode::kSwipe);
+    QSignalSpy clicked(&shown.view, &MapView::clicked);
+    const ViewState before = shown.view.viewState();
+    QCOMPARE(shown.colorAt({250, 90}), QColor(Qt::white));
+    QCOMPARE(shown.colorAt({400, 90}), QColor(255, 120, 0));
+    QTest::mousePress(&shown.view, Qt::LeftButton, {}, QPoint(322, 200));
+    QTest::mouseMove(&shown.view, QPoint(160, 210));
+    QTest::mouseRelease(&shown.view, Qt::LeftButton, {}, QPoint(160, 210));
+    QVERIFY(std::abs(shown.view.swipe() - 0.25) < 0.01);
+    QCOMPARE(shown.colorAt({250, 90}), QColor(255, 120, 0));
+    QVERIFY(shown.view.viewState() == before);
+    QCOMPARE(clicked.size(), 0);
+  }
+
+  void lensFollowsTheCursor() {
+    Shown shown;
+    shown.view.setMode(PreviewMode::kLens);
+    QTest::mouseMove(&shown.view, QPoint(300, 240));
+    QCOMPARE(shown.colorAt({340, 240}), QColor(255, 120, 0));
+    QCOMPARE(shown.colorAt({450, 240}), QColor(Qt::white));
+  }
+
+  void pictureStaysOnItsPlaceWhileTheViewMoves() {
+    Shown shown;
+    shown.view.setOpacity(1.0);
+    shown.view.zoomBy(4.0);
+    shown.bring();
+    QSignalSpy wanted(&shown.view, &PreviewView::pictureWanted);
+    ViewState state = shown.view.viewState();
+    state.center_m += QPointF(10.0 * state.m_per_px, 0.0);
+    shown.view.setViewState(state);
+    QVERIFY(wanted.isEmpty());  // within the margin
+    state.center_m += QPointF(190.0 * state.m_per_px, 0.0);
+    shown.view.setViewState(state);
+    QVERIFY(!wanted.isEmpty());
+    QCOMPARE(shown.colorAt({420, 90}), QColor(255, 120, 0));  // still covered by the old picture
+    QCOMPARE(shown.colorAt({480, 90}), QColor(Qt::white));    // beyond it until the new one comes
+    shown.bring();
+    QCOMPARE(shown.colorAt({480, 90}), QColor(255, 120, 0));
+  }
+
+  void pictureOfAnotherModeIsNotTaken() {
+    Shown shown;
+    const PreviewPicture warped = shown.view.picture();
+    shown.view.setMode(PreviewMode::kTwoInk);
+    QVERIFY(shown.view.picture().image.isNull());
+    shown.view.setPicture(warped);
+    QVERIFY(shown.view.picture().image.isNull());
+  }
+
+  void reasonAndBannerAreShown() {
+    Shown shown;
+    shown.view.setOpacity(1.0);
+    const QImage plain = shown.view.grab().toImage();
+    shown.view.setNotCurrent(QStringLiteral("Not current: the last solve failed"));
+    QVERIFY(shown.view.grab().toImage() != plain);
+    QCOMPARE(shown.colorAt(kProbe), QColor(255, 120, 0));  // the last good picture stays
+    shown.view.setReason(QStringLiteral("Place an anchor in both views"));
+    QCOMPARE(shown.colorAt(kProbe), QColor(Qt::white));
+  }
+};
+
+}  // namespace
+}  // namespace cad2slam
+
+QTEST_MAIN(cad2slam::PreviewViewTest)
+#include "preview_view_test.moc"

@@ -1,0 +1,76 @@
+// SPDX-FileCopyrightText: 2026 The CAD2SLAM authors
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/dialogs/export_dialog.h"
+
+#include <QDialogButtonBox>
+#include <QGridLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QVBoxLayout>
+
+#include <algorithm>
+
+namespace cad2slam {
+namespace {
+
+using Verdict = ExportCheck::Verdict;
+
+bool has(const std::vector<ExportCheck>& checks, Verdict verdict) {
+  return std::any_of(checks.begin(), checks.end(), [&](const ExportCheck& check) { return check.verdict == verdict; });
+}
+
+}  // namespace
+
+ExportDialog::ExportDialog(QWidget* parent, const std::vector<ExportCheck>& checks) : QDialog(parent) {
+  setWindowTitle(tr("Export projector"));
+  setMinimumWidth(520);
+  const bool refused = has(checks, Verdict::kRefused);
+  const bool warned = has(checks, Verdict::kWarning);
+  auto* heading = new QLabel(refused  ? tr("There is nothing to export yet")
+                             : warned ? tr("The projector can be written, but look at this first")
+                                      : tr("Ready to export"));
+  QFont font = heading->font();
+  font.setBold(true);
+  heading->setFont(font);
+
+  auto* list = new QGridLayout;
+  list->setColumnStretch(1, 1);
+  for (const ExportCheck& check : checks) {
+    const int row = list->rowCount();
+    const char16_t* sign = check.verdict == Verdict::kGood ? u"✓" : check.verdict == Verdict::kWarning ? u"▲" : u"■";
+    const char* color = check.verdict == Verdict::kGood      ? "#00796b"
+                        : check.verdict == Verdict::kWarning ? "#b26a00"
+                                                             : "#c2185b";
+    auto* mark = new QLabel(QString::fromUtf16(sign), this);
+    mark->setStyleSheet(QStringLiteral("color: %1").arg(QLatin1String(color)));
+    auto* sentence = new QLabel(check.sentence, this);
+    sentence->setWordWrap(true);
+    list->addWidget(mark, row, 0, Qt::AlignTop);
+    list->addWidget(sentence, row, 1);
+  }
+
+  auto* buttons = new QDialogButtonBox(refused ? QDialogButtonBox::Close : QDialogButtonBox::Cancel, this);
+  if (!refused) {
+    auto* go = buttons->addButton(warned ? tr("Export &anyway...") : tr("&Export..."), QDialogButtonBox::AcceptRole);
+    go->setDefault(!warned);
+  }
+  connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
+  connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+  auto* layout = new QVBoxLayout(this);
+  layout->addWidget(heading);
+  layout->addLayout(list);
+  if (warned && !refused) {
+    auto* note = new QLabel(tr("The warnings are written into the file."), this);
+    note->setEnabled(false);
+    layout->addWidget(note);
+  }
+  layout->addStretch(1);
+  layout->addWidget(buttons);
+}
+
+bool ExportDialog::ask(QWidget* parent, const std::vector<ExportCheck>& checks) {
+  ExportDialog dialog(parent, checks);
+  return dialog.exec() == QDialog::Accepted;
+}
+
+}  // namespace cad2slam

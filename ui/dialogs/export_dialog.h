@@ -1,0 +1,29 @@
+// SPDX-FileCopyrightText: 2026 The CAD2SLAM authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QDialog>
+#include <QString>
+
+#include <vector>
+
+namespace cad2slam {
+
+/// One line of the list that is shown before a projector is written.
+struct ExportCheck {
+  enum class Verdict { kGood, kWarning, kRefused };
+  Verdict verdict = Verdict::kGood;
+  QString sentence;
+};
+
+/// The check-list before a projector is written. A refusal has no way around, a warning has "export anyway".
+class ExportDialog : public QDialog {
+  Q_OBJECT
+
+ public:
+  ExportDialog(QWidget* parent, const std::vector<ExportCheck>& checks);
+
+  [[nodiscard]] static bool ask(QWidget* parent, const std::vector<ExportCheck>& checks);
+};
+
+}  // namespace cad2slam

@@ -1,0 +1,56 @@
+// SPDX-FileCopyrightText: 2026 The CAD2SLAM authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "cad2slam/anchors/anchor.h"
+#include "cad2slam/projection/projector.h"
+#include "cad2slam/solver/solution.h"
+#include "ui/document/document_state.h"
+#include "ui/document/room_map.h"
+
+#include <optional>
+#include <vector>
+
+namespace cad2slam {
+
+/// Something the installer should know, as values; diagnosis_messages.h puts it into words.
+struct Finding {
+  enum class Kind {
+    kDuplicate,         ///< two anchors share one place on one side and disagree on the other; value: how far [m]
+    kMirrored,          ///< a mirrored blueprint would fit much better; value: RMS now, other: RMS mirrored [m]
+    kSwapped,           ///< two anchors fit with exchanged counterparts; value: RMS now, other: RMS swapped [m]
+    kOutlier,           ///< one anchor does not fit the others; value: by how much [m]
+    kFolded,            ///< the mesh turns over near these anchors; value: number of tiles
+    kScale,             ///< value: SLAM metres per blueprint metre; other: standard deviation of it
+    kLengths,           ///< the same for just two anchors; value: blueprint [m], other: SLAM map [m]
+    kClose,             ///< two anchors too near to each other for a rotation; value: distance [m]
+    kCollinear,         ///< all anchors on one line
+    kOneRoom,           ///< all anchors in one room
+    kEmptyRooms,        ///< rooms without anchor; value: how many, place: in the largest
+    kSimilarityEnough,  ///< bending gains nothing; value: median error without bending [m]
+  };
+  Kind kind = Kind::kOutlier;
+  std::vector<AnchorId> anchors;
+  double value = 0.0;
+  double other = 0.0;
+  std::optional<Eigen::Vector2d> place;  ///< [m] blueprint frame
+};
+
+struct DiagnosisInput {
+  AnchorList anchors;
+  ClassLimits limits;
+  double slam_m_per_px = 0.05;
+  double blueprint_m_per_px = 0.05;
+  double blueprint_diagonal_m = 0.0;
+  ScaleSettings scale;
+  const Solution* solution = nullptr;  ///< of exactly these anchors, or null
+  const Projector* projector = nullptr;
+  const std::vector<Eigen::Vector2d>* nodes = nullptr;  ///< rest places of the mesh, blueprint frame [m]
+  const RoomMap* rooms = nullptr;
+};
+
+/// What is wrong or could be better, most serious first. Only enabled anchors count. Takes milliseconds with hundreds
+/// of anchors: run it in a worker.
+[[nodiscard]] std::vector<Finding> diagnose(const DiagnosisInput& input);
+
+}  // namespace cad2slam

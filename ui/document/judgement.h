@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: 2026 The CAD2SLAM authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "cad2slam/solver/solution.h"
+#include "ui/document/document_state.h"
+
+#include <map>
+#include <optional>
+#include <vector>
+
+namespace cad2slam {
+
+enum class AnchorClass {
+  kPlain,  ///< no number to judge by yet
+  kOk,
+  kLook,      ///< worth a look
+  kBad,       ///< most probably wrong
+  kDisabled,  ///< not used
+};
+
+/// What the table and the views say of one anchor.
+struct AnchorJudgement {
+  AnchorClass judged = AnchorClass::kPlain;
+  std::optional<double> residual_m;
+  std::optional<double> leave_one_out_m;
+  bool is_check = false;  ///< disabled: its numbers tell how well the others predict it
+};
+
+/// Numbers of the footer; metres.
+struct AlignmentSummary {
+  std::size_t used = 0;
+  std::size_t total = 0;
+  std::optional<double> rms_residual_m;          ///< sqrt(mean(residual^2)) of the anchors used
+  std::optional<double> max_residual_m;          ///< largest residual of the anchors used
+  std::optional<double> median_leave_one_out_m;  ///< of the anchors used, from 4 of them
+};
+
+/// Anchors used from which leave-one-out says something.
+inline constexpr std::size_t kLeaveOneOutFrom = 4;
+
+/// Judges each anchor: by its leave-one-out error from 4 anchors on, else by its residual. "Bad" is also what lies more
+/// than two standard deviations above the mean of an otherwise plausible set (and is not "ok" by itself).
+/// `slam_m_per_px`: of the SLAM map; anchors without a fit are plain or disabled.
+[[nodiscard]] std::map<AnchorId, AnchorJudgement> judgeAnchors(const AnchorList& anchors,
+                                                               const std::vector<AnchorFit>& fits,
+                                                               const ClassLimits& limits, double slam_m_per_px);
+
+[[nodiscard]] AlignmentSummary summarize(const AnchorList& anchors, const std::vector<AnchorFit>& fits);
+
+}  // namespace cad2slam

@@ -1,0 +1,220 @@
+// SPDX-FileCopyrightText: 2026 The CAD2SLAM authors
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/document/project_document.h"
+
+#include "ui/convert.h"
+#include "ui/document/app_state_json.h"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+#include <utility>
+
+namespace cad2slam {
+namespace {
+
+bool samePoints(const Anchor& a, const Anchor& b) {
+  return a.in_blueprint == b.in_blueprint && a.in_slam == b.in_slam && a.enabled == b.enabled;
+}
+
+AnchorId largestId(const Project& project) {
+  AnchorId largest = 0;
+  for (const ProjectSlamMap& map : project.slam_maps)
+    for (const Anchor& anchor : map.anchors) largest = std::max(largest, anchor.id);
+  return largest;
+}
+
+}  // namespace
+
+ProjectDocument::ProjectDocument(QObject* parent) : QObject(parent) {
+  undo_stack_.setUndoLimit(10'000);
+  connect(&undo_stack_, &QUndoStack::cleanChanged, this, [this] { announce({Change::kSavedState, {}, {}, {}}); });
+}
+
+const ProjectSlamMap* ProjectDocument::currentMap() const {
+  const auto& maps = project().slam_maps;
+  const auto found = std::find_if(maps.begin(), maps.end(), [&](const auto& map) { return map.name == current_map_; });
+  if (found != maps.end()) return &*found;
+  return maps.empty() ? nullptr : &maps.front();
+}
+
+std::string ProjectDocument::currentMapName() const {
+  const ProjectSlamMap* map = currentMap();
+  return map ? map->name : std::string();
+}
+
+ProjectSlamMap* ProjectDocument::mapNamed(const std::string& name) {
+  for (ProjectSlamMap& map : state_.project.slam_maps)
+    if (map.name == name) return &map;
+  return nullptr;
+}
+
+void ProjectDocument::setCurrentMap(const std::string& name) {
+  if (name == currentMapName() || !mapNamed(name)) return;
+  current_map_ = name;
+  ++revision_;
+  announce({Change::kCurrentMap | Change::kAnchors | Change::kPending, {}, {}, {}});
+}
+
+const AnchorList& ProjectDocument::anchors() const {
+  static const AnchorList kNone;
+  const ProjectSlamMap* map = currentMap();
+  return map ? map->anchors : kNone;
+}
+
+const Anchor* ProjectDocument::anchor(AnchorId id) const {
+  for (const Anchor& anchor : anchors())
+    if (anchor.id == id) return &anchor;
+  return nullptr;
+}
+
+bool ProjectDocument::isSnapped(AnchorId id) const {
+  const auto found = state_.snapped.find(currentMapName());
+  return found != state_.snapped.end() && found->second.contains(id);
+}
+
+std::optional<PendingAnchor> ProjectDocument::pending() const {
+  const ProjectSlamMap* map = currentMap();
+  return map ? map->pending : std::nullopt;
+}
+
+void ProjectDocument::setPending(std::optional<PendingAnchor> pending) {
+  ProjectSlamMap* map = mapNamed(currentMapName());
+  if (!map || (!map->pending && !pending)) return;
+  map->pending = pending;
+  modified_beyond_undo_ = true;
+  announce({Change::kPending | Change::kSavedState, {}, {}, {}});
+}
+
+void ProjectDocument::setLocked(bool locked) {
+  if (locked == locked_) return;
+  locked_ = locked;
+  announce({Change::kPreferences, {}, {}, {}});
+}
+
+void ProjectDocument::reset(Project project, const std::filesystem::path& path, bool recovered) {
+  undo_stack_.clear();
+  const AppState app = appStateFromJson(project.view_state_json);
+  state_ = DocumentState{};
+  state_.next_id = std::max(app.next_id, largestId(project) + 1);
+  state_.limits = app.limits;
+  state_.snapped = app.snapped;
+  state_.project = std::move(project);
+  view_state_ = app.views;
+  locked_ = app.locked;
+  current_map_ = app.current_map;
+  path_ = path;
+  modified_beyond_undo_ = recovered;
+  ++revision_;
+  announce({Change::kEverything | Change::kSavedState | Change::kAnchors | Change::kPending, {}, {}, {}});
+}
+
+void ProjectDocument::markSaved(const std::filesystem::path& path) {
+  path_ = path;
+  modified_beyond_undo_ = false;
+  undo_stack_.setClean();
+  announce({Change::kSavedState, {}, {}, {}});
+}
+
+void ProjectDocument::describeRasters(const std::string& map_name, const ProjectRaster& blueprint,
+                                      const ProjectRaster& slam) {
+  const auto fill = [](ProjectRaster& mine, const ProjectRaster& found) {
+    if (mine.metadata.image != found.metadata.image || !mine.image_sha256.empty()) return;
+    mine.image_bytes = found.image_bytes;
+    mine.image_sha256 = found.image_sha256;
+  };
+  fill(state_.project.blueprint, blueprint);
+  if (ProjectSlamMap* map = mapNamed(map_name)) fill(map->raster, slam);
+}
+
+bool ProjectDocument::isModified() const {
+  return modified_beyond_undo_ || !undo_stack_.isClean();
+}
+
+Project ProjectDocument::projectToSave() const {
+  Project result = state_.project;
+  AppState app;
+  app.next_id = state_.next_id;
+  app.limits = state_.limits;
+  app.snapped = state_.snapped;
+  app.locked = locked_;
+  app.current_map = currentMapName();
+  app.views = view_state_;
+  result.view_state_json = appStateToJson(app);
+  result.app_version = toStd(QCoreApplication::applicationVersion());
+  return result;
+}
+
+void ProjectDocument::applyAnchorChanges(const std::string& map_name, const std::vector<AnchorChange>& changes,
+                                         AnchorId next_id, Direction direction, ChangeEvent event) {
+  ProjectSlamMap* map = mapNamed(map_name);
+  Q_ASSERT(map);
+  AnchorList& anchors = map->anchors;
+  std::set<AnchorId>& snapped = state_.snapped[map_name];
+  bool points_changed = false;
+  const auto apply = [&](const AnchorChange& change) {
+    const bool redo = direction == Direction::kRedo;
+    const std::optional<Anchor>& from = redo ? change.before : change.after;
+    const std::optional<Anchor>& to = redo ? change.after : change.before;
+    if (from && to) {
+      points_changed |= !samePoints(*from, *to);
+      anchors[change.index] = *to;
+      event.edited.push_back(to->id);
+    } else if (to) {
+      anchors.insert(anchors.begin() + static_cast<std::ptrdiff_t>(change.index), *to);
+      event.added.push_back(to->id);
+    } else {
+      anchors.erase(anchors.begin() + static_cast<std::ptrdiff_t>(change.index));
+      event.removed.push_back(from->id);
+    }
+    const bool is_snapped = redo ? change.snapped_after : change.snapped_before;
+    if (to && is_snapped) {
+      snapped.insert(change.id());
+    } else {
+      snapped.erase(change.id());
+    }
+  };
+  // Additions go in from the front and removals from the back, so that each index is right at its turn.
+  const bool adds =
+      !changes.empty() && !(direction == Direction::kRedo ? changes.front().before : changes.front().after);
+  if (adds) {
+    std::for_each(changes.begin(), changes.end(), apply);
+  } else {
+    std::for_each(changes.rbegin(), changes.rend(), apply);
+  }
+  if (snapped.empty()) state_.snapped.erase(map_name);
+  state_.next_id = next_id;
+
+  const bool needs_solve = points_changed || !event.added.empty() || !event.removed.empty();
+  event.what |= needs_solve ? Change::kAnchors : Change::kAnchorTexts;
+  if (map_name != currentMapName()) {  // undo of an edit of another SLAM map: show what is being undone
+    current_map_ = map_name;
+    event.what |= Change::kCurrentMap | Change::kAnchors | Change::kPending;
+  }
+  if (event.needsSolve()) ++revision_;
+  announce(event);
+}
+
+void ProjectDocument::applyState(const DocumentState& state, const std::string& current_map, ChangeEvent event) {
+  // The half anchor is not part of any command, so it stays, unless its ground has moved.
+  std::map<std::string, PendingAnchor> pending;
+  for (const ProjectSlamMap& map : state_.project.slam_maps)
+    if (map.pending) pending.emplace(map.name, *map.pending);
+  state_ = state;
+  for (ProjectSlamMap& map : state_.project.slam_maps) {
+    const auto found = pending.find(map.name);
+    const bool keep = found != pending.end() && !(event.what & (Change::kBlueprint | Change::kSlamMaps));
+    map.pending = keep ? std::optional(found->second) : std::nullopt;
+  }
+  if (event.what & (Change::kBlueprint | Change::kSlamMaps)) event.what |= Change::kAnchors | Change::kPending;
+  current_map_ = current_map;
+  current_map_ = currentMapName();
+  if (event.needsSolve()) ++revision_;
+  announce(event);
+}
+
+void ProjectDocument::announce(const ChangeEvent& event) {
+  emit changed(event);
+}
+
+}  // namespace cad2slam

@@ -1,0 +1,214 @@
+// SPDX-FileCopyrightText: 2026 The CAD2SLAM authors
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/main_window/diagnosis_messages.h"
+
+#include "ui/convert.h"
+#include "ui/document/anchor_commands.h"
+#include "ui/document/project_commands.h"
+#include "ui/main_window/view_pair.h"
+#include "ui/models/number_text.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace cad2slam {
+
+using Kind = Finding::Kind;
+
+struct DiagnosisMessages::Request {
+  std::uint64_t revision = 0;
+  DiagnosisInput input;
+  SolveResultPtr result;  // keeps alive what the input points to
+  std::shared_ptr<const OccupancyGrid> blueprint;
+  std::shared_ptr<const OccupancyGrid> rooms_of;
+  std::shared_ptr<const RoomMap> rooms;
+};
+
+struct DiagnosisMessages::Answer {
+  std::uint64_t revision = 0;
+  std::vector<Finding> findings;
+  std::shared_ptr<const OccupancyGrid> rooms_of;
+  std::shared_ptr<const RoomMap> rooms;
+};
+
+DiagnosisMessages::DiagnosisMessages(Session& session, ViewPair& views, MessageBar& messages, QObject* parent)
+    : QObject(parent), session_(session), views_(views), messages_(messages) {
+  job_ = std::make_unique<LatestJob<Request, Answer>>(
+      [](const Request& request) {
+        Answer answer{request.revision, {}, request.rooms_of, request.rooms};
+        if (answer.rooms_of != request.blueprint) {
+          answer.rooms_of = request.blueprint;
+          answer.rooms =
+              request.blueprint ? std::make_shared<const RoomMap>(RoomMap::find(*request.blueprint)) : nullptr;
+        }
+        DiagnosisInput input = request.input;
+        input.rooms = answer.rooms.get();
+        answer.findings = diagnose(input);
+        return answer;
+      },
+      [this](const Answer& answer) { take(answer); });
+  connect(&session_.alignment(), &Alignment::statusChanged, this, &DiagnosisMessages::ask);
+}
+
+DiagnosisMessages::~DiagnosisMessages() = default;
+
+void DiagnosisMessages::ask() {
+  ProjectDocument& document = session_.document();
+  const AlignmentStatus status = session_.alignment().status();
+  if (status == AlignmentStatus::kSolving) return;  // its end asks again
+  if (!session_.isReady() || status == AlignmentStatus::kNotReady || status == AlignmentStatus::kNoAnchors) {
+    job_->cancel();
+    findings_.clear();
+    messages_.showGroup(QStringLiteral("diagnosis-"), {});
+    emit diagnosed();
+    return;
+  }
+  const MapFrame& blueprint = *session_.rasters().frame(Side::kBlueprint);
+  Request request;
+  request.revision = document.revision();
+  request.input.anchors = document.anchors();
+  request.input.limits = document.state().limits;
+  request.input.slam_m_per_px = session_.rasters().frame(Side::kSlam)->resolution();
+  request.input.blueprint_m_per_px = blueprint.resolution();
+  request.input.blueprint_diagonal_m = blueprint.diagonal();
+  request.input.scale = document.project().settings.scale;
+  if (session_.alignment().isCurrent()) {
+    request.result = session_.alignment().result();
+    request.input.solution = &request.result->solution;
+    request.input.projector = &request.result->projector;
+    request.input.nodes = &request.result->mesh->centers();
+  }
+  request.blueprint = session_.rasters().grid(Side::kBlueprint);
+  request.rooms_of = rooms_of_;
+  request.rooms = rooms_;
+  job_->request(std::move(request));
+}
+
+void DiagnosisMessages::take(const Answer& answer) {
+  rooms_of_ = answer.rooms_of;
+  rooms_ = answer.rooms;
+  if (answer.revision != session_.document().revision()) return;
+  findings_ = answer.findings;
+  std::vector<Message> messages;
+  for (const Finding& finding : findings_) messages.push_back(messageOf(finding));
+  messages_.showGroup(QStringLiteral("diagnosis-"), std::move(messages));
+  emit diagnosed();
+}
+
+Cure DiagnosisMessages::showCure(const Finding& finding) {
+  return {tr("Show"), [this, ids = finding.anchors, place = finding.place] {
+            if (!ids.empty()) {
+              session_.selection().set(ids);
+              views_.centerOn(ids.front());
+            } else if (place) {
+              views_.centerOnPlace(Side::kBlueprint, toQPointF(*place));
+            }
+          }};
+}
+
+Cure DiagnosisMessages::rescaleCure(double factor) {
+  return {tr("Rescale blueprint"), [this, factor] { edit::rescaleBlueprint(session_.document(), factor); }};
+}
+
+Message DiagnosisMessages::messageOf(const Finding& finding) {
+  ProjectDocument& document = session_.document();
+  Message message;
+  message.severity = Severity::kWarning;
+  message.id = QStringLiteral("diagnosis-%1").arg(static_cast<int>(finding.kind));
+  for (const AnchorId id : finding.anchors) message.id += QStringLiteral("-%1").arg(id);
+  const AnchorId first = finding.anchors.empty() ? 0 : finding.anchors.front();
+  const AnchorId second = finding.anchors.empty() ? 0 : finding.anchors.back();
+  const auto disable = [&](AnchorId id) {
+    return Cure{tr("Disable %1").arg(id), [&document, id] { edit::setEnabled(document, {id}, false); }};
+  };
+  const auto percent = [](double ratio) { return numberText(100.0 * std::abs(ratio - 1.0), 1); };
+  switch (finding.kind) {
+    case Kind::kDuplicate: {
+      const bool on_map = finding.value != finding.other;  // together in the blueprint, apart on the map
+      message.severity = Severity::kError;
+      message.text = (on_map ? tr("Anchors %1 and %2 share a blueprint point but are %3 apart on the SLAM map")
+                             : tr("Anchors %1 and %2 share a point of the SLAM map but are %3 apart in the blueprint"))
+                         .arg(first)
+                         .arg(second)
+                         .arg(lengthText(finding.value));
+      message.cures = {showCure(finding), disable(second)};
+      break;
+    }
+    case Kind::kMirrored:
+      message.severity = Severity::kError;
+      message.text = tr("The blueprint looks mirrored: mirrored, the anchors would be off by %1 instead of %2")
+                         .arg(lengthText(finding.other), lengthText(finding.value));
+      message.cures = {{tr("Mirror blueprint"), [this] {
+                          if (const auto& frame = session_.rasters().frame(Side::kBlueprint))
+                            edit::flipBlueprint(session_.document(), *frame);
+                        }}};
+      break;
+    case Kind::kSwapped:
+      message.severity = Severity::kError;
+      message.text = tr("Anchors %1 and %2 look swapped: exchanged, the error falls from %3 to %4")
+                         .arg(first)
+                         .arg(second)
+                         .arg(lengthText(finding.value), lengthText(finding.other));
+      message.cures = {showCure(finding), {tr("Swap %1 and %2").arg(first).arg(second), [&document, first, second] {
+                                             edit::swapCounterparts(document, first, second);
+                                           }}};
+      break;
+    case Kind::kOutlier:
+      message.text =
+          tr("Anchor %1 does not fit the others: they put it %2 away").arg(first).arg(lengthText(finding.value));
+      message.cures = {showCure(finding), disable(first)};
+      break;
+    case Kind::kFolded:
+      message.text =
+          finding.anchors.size() == 2
+              ? tr("The mesh folds near anchors %1 and %2: they pull against each other").arg(first).arg(second)
+              : tr("The mesh folds over itself: some anchors pull against each other");
+      message.cures = {showCure(finding)};
+      break;
+    case Kind::kScale:
+      message.severity = std::abs(finding.value - 1.0) > 0.1 ? Severity::kError : Severity::kWarning;
+      message.text =
+          finding.value > 1.0
+              ? tr("The blueprint is %1 % too small for the SLAM map: its scale is wrong").arg(percent(finding.value))
+              : tr("The blueprint is %1 % too large for the SLAM map: its scale is wrong").arg(percent(finding.value));
+      message.cures = {rescaleCure(finding.value)};
+      break;
+    case Kind::kLengths: {
+      const double ratio = finding.other / finding.value;
+      message.severity = std::abs(ratio - 1.0) > 0.1 ? Severity::kError : Severity::kWarning;
+      message.text =
+          tr("Blueprint %1 m, SLAM map %2 m between the two anchors (%3 %): check the scale of the blueprint")
+              .arg(numberText(finding.value, 2), numberText(finding.other, 2), percent(ratio));
+      message.cures = {rescaleCure(ratio)};
+      break;
+    }
+    case Kind::kClose:
+      message.text = tr("Anchors %1 and %2 are only %3 apart: add one far away, or the rotation stays a guess")
+                         .arg(first)
+                         .arg(second)
+                         .arg(lengthText(finding.value));
+      break;
+    case Kind::kCollinear:
+      message.text = tr("All anchors lie on one line: add one beside it, or the other direction stays a guess");
+      break;
+    case Kind::kOneRoom:
+      message.text = tr("All anchors are in one room: the rest of the building is a guess");
+      message.cures = {showCure(finding)};
+      break;
+    case Kind::kEmptyRooms:
+      message.severity = Severity::kNote;
+      message.text = tr("%1 of %2 rooms have no anchor yet").arg(finding.value).arg(finding.other);
+      message.cures = {showCure(finding)};
+      break;
+    case Kind::kSimilarityEnough:
+      message.severity = Severity::kNote;
+      message.text =
+          tr("A plain turn, shift and scale is enough here (%1 off in the middle): this SLAM map is not bent")
+              .arg(lengthText(finding.value));
+      break;
+  }
+  return message;
+}
+
+}  // namespace cad2slam

@@ -1,0 +1,264 @@
+// SPDX-FileCopyrightText: 2026 The CAD2SLAM authors
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/main_window/exports.h"
+
+#include "cad2slam/io/anchors_csv.h"
+#include "cad2slam/io/projector_file.h"
+#include "cad2slam/projection/make_projector.h"
+#include "ui/convert.h"
+#include "ui/document/anchor_commands.h"
+#include "ui/models/number_text.h"
+#include "ui/panels/message_bar.h"
+
+#include <QCoreApplication>
+#include <QDateTime>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QStandardPaths>
+#include <QTimeZone>
+
+#include <algorithm>
+#include <cmath>
+
+namespace cad2slam {
+namespace {
+
+constexpr double kReadBackTolerance = 1e-9;   // metres and radians: the file holds doubles
+constexpr double kRoundTripTolerance = 1e-6;  // metres
+
+using Verdict = ExportCheck::Verdict;
+
+FrameInfo frameInfo(const std::string& name, const ProjectRaster& raster, const MapFrame& frame) {
+  return {name, raster.image_sha256, frame.resolution(), frame.width(), frame.height(), frame.metricFromCorner()};
+}
+
+/// The largest difference between what was meant and what a robot will compute from the file [m, rad].
+Result<double> readBackDifference(const std::filesystem::path& path, const Projector& meant, const Mesh& mesh) {
+  const Result<Projector> read = loadProjector(path);
+  if (!read) return failAs(read);
+  double largest = 0.0;
+  for (const Eigen::Vector2d& center : mesh.centers()) {
+    const Projection a = meant.slamFromBlueprint(Pose2{center, 0.5}, OutsidePolicy::kRigid);
+    const Projection b = read->slamFromBlueprint(Pose2{center, 0.5}, OutsidePolicy::kRigid);
+    if (a.status != b.status) return fail(ErrorCode::kInternal, "The file reads back with other values");
+    if (!a.ok()) continue;
+    largest = std::max({largest, (a.pose.translation - b.pose.translation).norm(),
+                        std::abs(wrapAngle(a.pose.heading - b.pose.heading))});
+    const Projection back = read->blueprintFromSlam(b.pose, OutsidePolicy::kRigid);
+    if (back.ok() && (back.pose.translation - center).norm() > kRoundTripTolerance && read->foldedTileCount() == 0)
+      return fail(ErrorCode::kInternal, "Going there and back through the file does not return to the start");
+  }
+  return largest;
+}
+
+}  // namespace
+
+std::vector<ExportCheck> exportChecks(Session& session) {
+  std::vector<ExportCheck> checks;
+  const SolveResultPtr& result = session.alignment().result();
+  if (!result) {
+    checks.push_back({Verdict::kRefused, Exports::tr("There is no alignment yet: place anchors first")});
+    return checks;
+  }
+  if (!session.alignment().isCurrent()) {
+    const bool solving = session.alignment().status() == AlignmentStatus::kSolving;
+    checks.push_back(
+        {Verdict::kRefused, solving ? Exports::tr("The alignment is still being computed: wait for the green chip")
+                                    : Exports::tr("The last solve failed, so there is nothing current to export")});
+    return checks;
+  }
+  const AlignmentSummary& summary = session.summary();
+  if (summary.used < 3) {
+    checks.push_back(
+        {Verdict::kWarning, Exports::tr("Only %1 anchors are used: the map is not bent to fit; 4 or more are "
+                                        "needed for checked results")
+                                .arg(summary.used)});
+  } else {
+    checks.push_back({summary.used < kLeaveOneOutFrom ? Verdict::kWarning : Verdict::kGood,
+                      Exports::tr("%1 anchors are used, RMS of the residuals %2")
+                          .arg(summary.used)
+                          .arg(lengthText(summary.rms_residual_m.value_or(0.0)))});
+  }
+  QStringList bad;
+  for (const auto& [id, judgement] : session.judgements())
+    if (judgement.judged == AnchorClass::kBad) bad += QString::number(id);
+  if (!bad.isEmpty())
+    checks.push_back(
+        {Verdict::kWarning, Exports::tr("These anchors fit badly: %1").arg(bad.join(QStringLiteral(", ")))});
+  const std::size_t folded = result->projector.foldedTileCount();
+  if (folded > 0) {
+    checks.push_back({Verdict::kWarning,
+                      Exports::tr("The mesh folds over itself in %1 places: no answer is given there").arg(folded)});
+  } else {
+    checks.push_back({Verdict::kGood, Exports::tr("The mesh does not fold")});
+  }
+  if (!result->solution.converged)
+    checks.push_back({Verdict::kWarning, Exports::tr("The optimisation stopped before it had converged")});
+  if (session.document().pending())
+    checks.push_back(
+        {Verdict::kWarning, Exports::tr("One half anchor is still waiting for its counterpart and is left out")});
+  for (const std::string& warning : result->solution.warnings)
+    checks.push_back({Verdict::kWarning, toQString(warning)});
+  return checks;
+}
+
+Exports::Exports(Session& session, MessageBar& messages, QWidget& window)
+    : QObject(&window), session_(session), messages_(messages), window_(window) {}
+
+void Exports::showError(const QString& id, const Error& error) {
+  messages_.show({id, Severity::kError, toQString(error.sentence()), {}, 0});
+}
+
+QString Exports::suggestion(const QString& extension) const {
+  ProjectDocument& document = session_.document();
+  const QString folder = document.path().empty() ? QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation)
+                                                 : toQString(document.path().parent_path());
+  const QString stem = document.path().empty() ? QStringLiteral("site") : toQString(document.path().stem());
+  const QString map =
+      document.project().slam_maps.size() > 1 ? QLatin1Char('-') + toQString(document.currentMapName()) : QString();
+  return folder + QLatin1Char('/') + stem + map + extension;
+}
+
+bool Exports::importAnchors(const QString& path) {
+  const QString id = QStringLiteral("import");
+  if (!session_.document().currentMap()) {
+    messages_.show({id, Severity::kWarning, tr("Choose a SLAM map first: anchors belong to one"), {}, 8000});
+    return false;
+  }
+  Result<AnchorImport> read = readAnchors(toPath(path));
+  if (!read) {
+    showError(id, read.error());
+    return false;
+  }
+  const std::size_t count = read->anchors.size();
+  session_.selection().set(
+      edit::addAnchors(session_.document(), std::move(read->anchors), tr("import %n anchor(s)", nullptr, int(count))));
+  QString text = tr("%n anchor(s) imported", nullptr, int(count));
+  if (!read->rejected.empty()) {
+    QStringList lines;
+    for (const RejectedLine& line : read->rejected)
+      lines += tr("line %1: %2").arg(line.line).arg(toQString(line.reason));
+    constexpr int kListed = 4;
+    text += QStringLiteral(". ") + tr("Left out: %1").arg(lines.mid(0, kListed).join(QStringLiteral("; ")));
+    if (lines.size() > kListed) text += tr(" and %n more", nullptr, int(lines.size()) - kListed);
+  }
+  messages_.show(
+      {id, read->rejected.empty() ? Severity::kNote : Severity::kWarning, text, {}, read->rejected.empty() ? 5000 : 0});
+  return true;
+}
+
+bool Exports::exportAnchors(const QString& path) {
+  const QString id = QStringLiteral("export-anchors");
+  if (const Result<void> written = writeAnchorsCsv(toPath(path), session_.document().anchors()); !written) {
+    showError(id, written.error());
+    return false;
+  }
+  messages_.show({id, Severity::kNote, tr("Anchors written to %1").arg(path), {}, 5000});
+  return true;
+}
+
+Result<ProjectorData> Exports::projectorData(const QString& overridden) const {
+  const SolveResultPtr& result = session_.alignment().result();
+  if (!result || !session_.alignment().isCurrent())
+    return fail(ErrorCode::kDegenerate, "There is no up-to-date alignment to export");
+  ProjectDocument& document = session_.document();
+  const ProjectSlamMap& map = *document.currentMap();
+  ProjectorOptions options;
+  options.blueprint = frameInfo("blueprint", document.project().blueprint, *session_.rasters().frame(Side::kBlueprint));
+  options.slam = frameInfo(map.name, map.raster, *session_.rasters().frame(Side::kSlam));
+  options.creator = "cad2slam " + toStd(QCoreApplication::applicationVersion());
+  options.created = toStd(QDateTime::currentDateTimeUtc().toString(Qt::ISODate));
+  options.project = document.path().filename().string();
+  options.note = toStd(overridden);
+  return makeProjectorData(*result->mesh, result->solution, result->anchors, options);
+}
+
+bool Exports::exportProjector(const QString& path, const QString& overridden) {
+  const QString id = QStringLiteral("export-projector");
+  const Result<ProjectorData> data = projectorData(overridden);
+  if (!data) {
+    showError(id, data.error());
+    return false;
+  }
+  if (const Result<void> written = writeProjectorFile(toPath(path), *data); !written) {
+    showError(id, written.error());
+    return false;
+  }
+  const SolveResult& result = *session_.alignment().result();
+  const Result<double> difference = readBackDifference(toPath(path), result.projector, *result.mesh);
+  if (!difference) {
+    showError(id, difference.error());
+    return false;
+  }
+  if (*difference > kReadBackTolerance) {
+    showError(id, {ErrorCode::kInternal, "The file reads back with other values: do not use it", toStd(path)});
+    return false;
+  }
+  messages_.show(
+      {id,
+       Severity::kNote,
+       tr("Projector written to %1, read again and compared at %2 places").arg(path).arg(result.mesh->nodeCount()),
+       {},
+       10'000});
+  return true;
+}
+
+bool Exports::inspectProjector(const QString& path) {
+  const QString id = QStringLiteral("inspect");
+  const Result<ProjectorData> data = readProjectorFile(toPath(path));
+  if (!data) {
+    showError(id, data.error());
+    return false;
+  }
+  const ProjectorInfo& info = data->info;
+  QString text = tr("%1: made by %2 on %3 from project %4; blueprint to SLAM map \"%5\", %6 nodes, %7 anchors")
+                     .arg(QFileInfo(path).fileName(), toQString(info.creator),
+                          info.created.empty() ? tr("an unknown date") : toQString(info.created),
+                          info.project.empty() ? tr("(not saved)") : toQString(info.project), toQString(info.slam.name))
+                     .arg(data->node_slam.size())
+                     .arg(data->anchors.size());
+  if (!info.note.empty()) text += QStringLiteral(". ") + tr("Exported in spite of: %1").arg(toQString(info.note));
+  const auto differs = [](const FrameInfo& frame, const ProjectRaster& raster) {
+    return !frame.image_sha256.empty() && !raster.image_sha256.empty() && frame.image_sha256 != raster.image_sha256;
+  };
+  ProjectDocument& document = session_.document();
+  const bool other_blueprint = document.hasBlueprint() && differs(info.blueprint, document.project().blueprint);
+  const bool other_slam = document.currentMap() && differs(info.slam, document.currentMap()->raster);
+  if (other_blueprint) text += QStringLiteral(". ") + tr("Its blueprint is not the image of this project");
+  if (other_slam) text += QStringLiteral(". ") + tr("Its SLAM map is not the one being edited");
+  messages_.show({id, other_blueprint || other_slam ? Severity::kWarning : Severity::kNote, text, {}, 0});
+  return true;
+}
+
+void Exports::askImportAnchors() {
+  const QString path = QFileDialog::getOpenFileName(&window_, tr("Import anchors"), suggestion(QString()),
+                                                    tr("Anchors (*.csv *.txt *.data);;All files (*)"));
+  if (!path.isEmpty()) importAnchors(path);
+}
+
+void Exports::askExportAnchors() {
+  const QString path = QFileDialog::getSaveFileName(&window_, tr("Export anchors"),
+                                                    suggestion(QStringLiteral("-anchors.csv")), tr("Anchors (*.csv)"));
+  if (!path.isEmpty()) exportAnchors(path);
+}
+
+void Exports::askExportProjector() {
+  const std::vector<ExportCheck> checks = exportChecks(session_);
+  if (!ExportDialog::ask(&window_, checks)) return;
+  QString path = QFileDialog::getSaveFileName(&window_, tr("Export projector"), suggestion(QStringLiteral(".c2s")),
+                                              tr("Projectors (*.c2s)"));
+  if (path.isEmpty()) return;
+  if (!path.endsWith(QStringLiteral(".c2s"), Qt::CaseInsensitive)) path += QStringLiteral(".c2s");
+  QStringList overridden;
+  for (const ExportCheck& check : checks)
+    if (check.verdict == Verdict::kWarning) overridden += check.sentence;
+  exportProjector(path, overridden.join(QStringLiteral("; ")));
+}
+
+void Exports::askInspectProjector() {
+  const QString path = QFileDialog::getOpenFileName(&window_, tr("Inspect a projector"), suggestion(QString()),
+                                                    tr("Projectors (*.c2s);;All files (*)"));
+  if (!path.isEmpty()) inspectProjector(path);
+}
+
+}  // namespace cad2slam

@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: 2026 The CAD2SLAM authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "cad2slam/projection/projector_data.h"
+#include "ui/dialogs/export_dialog.h"
+#include "ui/main_window/session.h"
+
+#include <QObject>
+#include <QString>
+
+#include <vector>
+
+class QWidget;
+
+namespace cad2slam {
+
+class MessageBar;
+
+/// What speaks for and against writing a projector now.
+[[nodiscard]] std::vector<ExportCheck> exportChecks(Session& session);
+
+/// Import and export of anchors, export and inspection of projectors. Functions with a path do the work and never ask.
+class Exports : public QObject {
+  Q_OBJECT
+
+ public:
+  Exports(Session& session, MessageBar& messages, QWidget& window);
+
+  bool importAnchors(const QString& path);
+  bool exportAnchors(const QString& path);
+  /// Writes the projector, reads it again and compares. `overridden`: warnings the installer exported in spite of.
+  bool exportProjector(const QString& path, const QString& overridden = {});
+  /// Tells what a projector was made from, and whether that is what the project holds now.
+  bool inspectProjector(const QString& path);
+
+  void askImportAnchors();
+  void askExportAnchors();
+  void askExportProjector();
+  void askInspectProjector();
+
+ private:
+  [[nodiscard]] Result<ProjectorData> projectorData(const QString& overridden) const;
+  void showError(const QString& id, const Error& error);
+  [[nodiscard]] QString suggestion(const QString& extension) const;
+
+  Session& session_;
+  MessageBar& messages_;
+  QWidget& window_;
+};
+
+}  // namespace cad2slam

@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: 2026 The CAD2SLAM authors
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/main_window/mesh_overlay.h"
+
+#include "ui/convert.h"
+
+#include <Eigen/LU>
+
+#include <utility>
+
+namespace cad2slam {
+namespace {
+
+MeshOverlay edgesWithStrain(const SolveResult& result) {
+  MeshOverlay overlay;
+  const auto& rest = result.mesh->centers();
+  const auto& solved = result.solution.node_slam;
+  const double scale = result.solution.global_fit.scale;
+  overlay.edges.reserve(result.mesh->edges().size());
+  overlay.strain.reserve(result.mesh->edges().size());
+  for (const MeshEdge& edge : result.mesh->edges()) {
+    overlay.edges.push_back({edge.from, edge.to});
+    const double rest_length = scale * (rest[edge.to] - rest[edge.from]).norm();
+    const double length = (solved[edge.to].translation - solved[edge.from].translation).norm();
+    overlay.strain.push_back(static_cast<float>(length / rest_length - 1.0));
+  }
+  for (std::size_t i = 0; i < rest.size(); ++i)
+    if (result.projector.jacobian(rest[i]).determinant() <= 0.0) overlay.folds.push_back(static_cast<std::uint32_t>(i));
+  return overlay;
+}
+
+}  // namespace
+
+std::shared_ptr<const MeshOverlay> meshInBlueprint(const SolveResult& result) {
+  MeshOverlay overlay = edgesWithStrain(result);
+  for (const Eigen::Vector2d& center : result.mesh->centers()) overlay.nodes_m.push_back(toQPointF(center));
+  return std::make_shared<const MeshOverlay>(std::move(overlay));
+}
+
+std::shared_ptr<const MeshOverlay> meshInSlam(const SolveResult& result) {
+  MeshOverlay overlay = edgesWithStrain(result);
+  for (const Pose2& node : result.solution.node_slam) overlay.nodes_m.push_back(toQPointF(node.translation));
+  return std::make_shared<const MeshOverlay>(std::move(overlay));
+}
+
+}  // namespace cad2slam

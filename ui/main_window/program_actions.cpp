@@ -1,0 +1,127 @@
+// SPDX-FileCopyrightText: 2026 The CAD2SLAM authors
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/main_window/program_actions.h"
+
+#include "cad2slam/io/atomic_file.h"
+#include "ui/convert.h"
+#include "ui/dialogs/cheat_sheet.h"
+#include "ui/dialogs/settings_dialog.h"
+#include "ui/document/project_commands.h"
+#include "ui/main_window/appearance.h"
+#include "ui/main_window/main_window.h"
+#include "ui/main_window/report.h"
+#include "ui/main_window/tour.h"
+#include "ui/panels/message_bar.h"
+#include "ui/panels/preview_panel.h"
+#include "ui/tools/test_poses.h"
+
+#include <QCoreApplication>
+#include <QFileDialog>
+#include <QInputDialog>
+#include <QMessageBox>
+
+namespace cad2slam {
+namespace {
+
+constexpr std::size_t kLargestPoseFile = std::size_t{64} << 20;
+
+struct Text {
+  Q_DECLARE_TR_FUNCTIONS(ProgramActions)
+};
+
+void askSettings(MainWindow& window) {
+  ProjectDocument& document = window.session().document();
+  const Appearance before = readAppearance();
+  SettingsDialog dialog(&window, {document.project().settings, document.project().cell_size_m, document.state().limits},
+                        before);
+  if (dialog.exec() != QDialog::Accepted) return;
+  edit::changeSettings(document, dialog.settings());
+  const Appearance after = dialog.appearance();
+  if (after == before) return;
+  writeAppearance(after);
+  applyTheme(after.theme);
+  window.actionTable()[ActionId::kHighContrast]->setChecked(after.theme == Theme::kHighContrast);
+  if (after.language != before.language)
+    window.messages().show({QStringLiteral("language"),
+                            Severity::kNote,
+                            Text::tr("The language changes at the next start of the program"),
+                            {},
+                            6000});
+}
+
+}  // namespace
+
+void connectProgramActions(MainWindow& window) {
+  const Actions& actions = window.actionTable();
+  const auto on = [&](ActionId id, auto work) { QObject::connect(actions[id], &QAction::triggered, &window, work); };
+  on(ActionId::kSettings, [&window] { askSettings(window); });
+  on(ActionId::kCheatSheet, [&window] {
+    CheatSheet sheet(&window, window.actionTable());
+    sheet.exec();
+  });
+  on(ActionId::kExportReport, [&window] {
+    QString path = QFileDialog::getSaveFileName(&window, Text::tr("Save report"), QStringLiteral("report.pdf"),
+                                                Text::tr("PDF (*.pdf)"));
+    if (path.isEmpty()) return;
+    if (!path.endsWith(QStringLiteral(".pdf"), Qt::CaseInsensitive)) path += QStringLiteral(".pdf");
+    saveReport(window, path);
+  });
+  on(ActionId::kTour, [&window] { startTour(window); });
+  on(ActionId::kAbout, [&window] {
+    QMessageBox::about(
+        &window, Text::tr("About CAD2SLAM"),
+        Text::tr("<h3>CAD2SLAM %1</h3><p>Projects poses between building blueprints and robot SLAM maps.</p>"
+                 "<p>Apache License 2.0. Uses Qt, Ceres, SuiteSparse, OpenCV and Eigen.</p>")
+            .arg(QCoreApplication::applicationVersion()));
+  });
+  QAction* contrast = actions[ActionId::kHighContrast];
+  contrast->setChecked(readAppearance().theme == Theme::kHighContrast);
+  on(ActionId::kHighContrast, [contrast] {
+    Appearance appearance = readAppearance();
+    appearance.theme = contrast->isChecked() ? Theme::kHighContrast : Theme::kSystem;
+    writeAppearance(appearance);
+    applyTheme(appearance.theme);
+  });
+}
+
+bool saveReport(MainWindow& window, const QString& path) {
+  ReportExtras extras;
+  extras.pictures.push_back({Text::tr("Preview"), window.preview().view().grab().toImage()});
+  extras.pictures.push_back({Text::tr("Blueprint"), window.view(Side::kBlueprint).grab().toImage()});
+  extras.pictures.push_back({Text::tr("SLAM map"), window.view(Side::kSlam).grab().toImage()});
+  for (const Message& message : window.messages().messages())
+    if (message.id.startsWith(QStringLiteral("diagnosis-"))) extras.findings += message.text;
+  const QString id = QStringLiteral("report");
+  if (const Result<void> written = writeReport(path, window.session(), extras); !written) {
+    window.messages().show({id, Severity::kError, toQString(written.error().sentence()), {}, 0});
+    return false;
+  }
+  window.messages().show({id, Severity::kNote, Text::tr("Report written to %1").arg(path), {}, 6000});
+  return true;
+}
+
+void askPoses(MainWindow& window) {
+  const QString path = QFileDialog::getOpenFileName(&window, Text::tr("Show poses from file"), QString(),
+                                                    Text::tr("Poses (*.csv *.txt);;All files (*)"));
+  if (path.isEmpty()) return;
+  bool ok = false;
+  const QStringList sides{Text::tr("SLAM map"), Text::tr("Blueprint")};
+  const QString side = QInputDialog::getItem(&window, Text::tr("Show poses"),
+                                             Text::tr("The poses are in the frame of the:"), sides, 0, false, &ok);
+  if (!ok) return;
+  const Result<std::string> text = readFile(toPath(path), kLargestPoseFile);
+  const std::size_t count = text ? window.testPoses().loadPoses(QByteArray::fromStdString(*text),
+                                                                side == sides[0] ? Side::kSlam : Side::kBlueprint)
+                                 : 0;
+  Message message{QStringLiteral("poses"), Severity::kNote, Text::tr("%1 poses shown").arg(count), {}, 5000};
+  if (!text) message = {message.id, Severity::kError, toQString(text.error().sentence()), {}, 0};
+  if (text && count == 0)
+    message = {message.id, Severity::kWarning, Text::tr("No line of %1 starts with two numbers x, y").arg(path), {}, 0};
+  window.messages().show(std::move(message));
+}
+
+void startTour(MainWindow& window) {
+  (new Tour(window))->start();
+}
+
+}  // namespace cad2slam

@@ -1,0 +1,266 @@
+// SPDX-FileCopyrightText: 2026 The CAD2SLAM authors
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/main_window/project_files.h"
+
+#include "cad2slam/io/project_file.h"
+#include "ui/convert.h"
+#include "ui/dialogs/scale_dialog.h"
+#include "ui/document/project_commands.h"
+#include "ui/panels/message_bar.h"
+
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QMenu>
+#include <QMessageBox>
+#include <QPushButton>
+#include <QSettings>
+#include <QStandardPaths>
+
+#include <utility>
+
+namespace cad2slam {
+namespace {
+
+constexpr int kRecentProjects = 8;
+
+bool isProject(const QString& path) {
+  return path.endsWith(QStringLiteral(".c2sproj"), Qt::CaseInsensitive);
+}
+bool isYaml(const QString& path) {
+  return path.endsWith(QStringLiteral(".yaml"), Qt::CaseInsensitive) ||
+         path.endsWith(QStringLiteral(".yml"), Qt::CaseInsensitive);
+}
+
+}  // namespace
+
+ProjectFiles::ProjectFiles(Session& session, MessageBar& messages, QWidget& window, QMenu& recent_menu)
+    : QObject(&window), session_(session), messages_(messages), window_(window), recent_menu_(recent_menu) {
+  connect(&session_.rasters(), &RasterStore::problem, this, &ProjectFiles::showProblem);
+  connect(&session_.rasters(), &RasterStore::warned, this, [this](const QString& sentence) {
+    messages_.show({QStringLiteral("raster-warning"), Severity::kNote, sentence, {}, 0});
+  });
+  connect(&recent_menu_, &QMenu::aboutToShow, this, &ProjectFiles::fillRecentMenu);
+}
+
+QString ProjectFiles::folder() const {
+  if (!session_.document().path().empty()) return toQString(session_.document().path().parent_path());
+  if (session_.document().hasBlueprint())
+    return toQString(session_.document().project().blueprint.metadata.image.parent_path());
+  const QString last = QSettings().value(QStringLiteral("last_folder")).toString();
+  return last.isEmpty() ? QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation) : last;
+}
+
+void ProjectFiles::showError(const QString& id, const Error& error,
+                             std::vector<std::pair<QString, std::function<void()>>> cures) {
+  Message message{id, Severity::kError, toQString(error.sentence()), {}, 0};
+  for (auto& [label, run] : cures) message.cures.push_back({label, std::move(run)});
+  messages_.show(std::move(message));
+}
+
+bool ProjectFiles::openProject(const QString& path) {
+  Result<Project> project = readProject(toPath(path));
+  if (!project) {
+    showError(QStringLiteral("open"), project.error());
+    return false;
+  }
+  messages_.remove(QStringLiteral("open"));
+  messages_.showGroup(QStringLiteral("image-"), {});
+  session_.document().reset(*std::move(project), toPath(QFileInfo(path).absoluteFilePath()));
+  remember(path);
+  if (session_.document().pending())
+    messages_.show({QStringLiteral("pending"),
+                    Severity::kNote,
+                    tr("One anchor has only one half: click its counterpart, or press Esc to drop it"),
+                    {},
+                    10'000});
+  emit savedOrOpened();
+  return true;
+}
+
+bool ProjectFiles::saveProjectTo(const QString& path) {
+  if (before_save_) before_save_();
+  const std::filesystem::path target = toPath(QFileInfo(path).absoluteFilePath());
+  ProjectDocument& document = session_.document();
+  Project project = document.projectToSave();
+  project.name = toStd(QFileInfo(path).completeBaseName());
+  if (const Result<void> written = writeProject(target, project); !written) {
+    showError(QStringLiteral("save"), written.error(), {{tr("Save elsewhere..."), [this] { askSaveAs(); }}});
+    return false;
+  }
+  messages_.remove(QStringLiteral("save"));
+  document.markSaved(target);
+  remember(path);
+  const bool half = document.pending().has_value();
+  messages_.show({QStringLiteral("saved"),
+                  Severity::kNote,
+                  half ? tr("Saved, with one half of an anchor still waiting for its counterpart") : tr("Saved"),
+                  {},
+                  half ? 6000 : 2500});
+  emit savedOrOpened();
+  return true;
+}
+
+bool ProjectFiles::setImage(Side side, const QString& path, std::optional<double> resolution_m_per_px) {
+  const QString id = QStringLiteral("choose-image");
+  MapMetadata metadata;
+  if (isYaml(path)) {
+    Result<MapMetadata> read = readMapMetadata(toPath(QFileInfo(path).absoluteFilePath()));
+    if (!read) {
+      showError(id, read.error());
+      return false;
+    }
+    metadata = *std::move(read);
+  } else {
+    metadata.image = toPath(QFileInfo(path).absoluteFilePath());
+  }
+  metadata.resolution_m_per_px = resolution_m_per_px.value_or(metadata.resolution_m_per_px);
+  const Result<MapFrame> frame = readMapFrame(metadata);
+  if (!frame) {
+    showError(id, frame.error());
+    return false;
+  }
+  if (!isYaml(path) && !resolution_m_per_px) {
+    const std::optional<double> scale = ScaleDialog::ask(&window_, metadata.image, side);
+    if (!scale) return false;
+    metadata.resolution_m_per_px = *scale;
+  }
+  messages_.remove(id);
+  QSettings().setValue(QStringLiteral("last_folder"), QFileInfo(path).absolutePath());
+  ProjectRaster raster;
+  raster.metadata = std::move(metadata);
+  if (side == Side::kBlueprint) {
+    edit::setBlueprint(session_.document(), raster);
+  } else {
+    const QFileInfo file(path);
+    // Every site calls its files slam.yaml or map.pgm; the folder tells more than that.
+    QString name = file.completeBaseName();
+    if (name == QStringLiteral("slam") || name == QStringLiteral("map")) name = file.absoluteDir().dirName();
+    edit::addSlamMap(session_.document(), toStd(name), raster);
+  }
+  return true;
+}
+
+void ProjectFiles::askNew() {
+  if (!mayClose()) return;
+  messages_.showGroup(QString(), {});
+  session_.document().reset(Project{}, {});
+  emit savedOrOpened();
+}
+
+void ProjectFiles::askOpen() {
+  if (!mayClose()) return;
+  const QString path =
+      QFileDialog::getOpenFileName(&window_, tr("Open project"), folder(), tr("Projects (*.c2sproj);;All files (*)"));
+  if (!path.isEmpty()) openProject(path);
+}
+
+bool ProjectFiles::askSave() {
+  const std::filesystem::path& path = session_.document().path();
+  return path.empty() ? askSaveAs() : saveProjectTo(toQString(path));
+}
+
+bool ProjectFiles::askSaveAs() {
+  QString path = QFileDialog::getSaveFileName(&window_, tr("Save project"), folder() + QStringLiteral("/site.c2sproj"),
+                                              tr("Projects (*.c2sproj)"));
+  if (path.isEmpty()) return false;
+  if (!isProject(path)) path += QStringLiteral(".c2sproj");
+  return saveProjectTo(path);
+}
+
+void ProjectFiles::askImage(Side side) {
+  const QString path = QFileDialog::getOpenFileName(
+      &window_, side == Side::kBlueprint ? tr("Choose the blueprint") : tr("Add a SLAM map"), folder(),
+      tr("Maps and images (*.yaml *.yml *.png *.pgm *.jpg *.jpeg *.tif *.tiff *.bmp);;All files (*)"));
+  if (!path.isEmpty()) setImage(side, path);
+}
+
+bool ProjectFiles::mayClose() {
+  if (!session_.document().isModified()) return true;
+  QMessageBox box(QMessageBox::Question, tr("Unsaved changes"), tr("The project has changes that are not saved."),
+                  QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, &window_);
+  box.setObjectName(QStringLiteral("closeQuestion"));
+  box.setInformativeText(tr("Save them before it is closed?"));
+  box.setDefaultButton(QMessageBox::Save);
+  switch (box.exec()) {
+    case QMessageBox::Save:
+      return askSave();
+    case QMessageBox::Discard:
+      return true;
+    default:
+      return false;
+  }
+}
+
+void ProjectFiles::takeDropped(Side side, const QStringList& paths) {
+  Side next = side;
+  for (const QString& path : paths) {
+    if (isProject(path)) {
+      if (mayClose()) openProject(path);
+      return;
+    }
+    setImage(next, path);
+    next = Side::kSlam;  // two files dropped together on the left: the plan and the robot's map
+    if (side == Side::kSlam && !session_.document().hasBlueprint()) next = Side::kBlueprint;
+  }
+}
+
+void ProjectFiles::remember(const QString& path) {
+  QSettings settings;
+  QStringList recent = settings.value(QStringLiteral("recent_projects")).toStringList();
+  const QString absolute = QFileInfo(path).absoluteFilePath();
+  recent.removeAll(absolute);
+  recent.prepend(absolute);
+  settings.setValue(QStringLiteral("recent_projects"), QStringList(recent.mid(0, kRecentProjects)));
+}
+
+void ProjectFiles::fillRecentMenu() {
+  recent_menu_.clear();
+  for (const QString& path : QSettings().value(QStringLiteral("recent_projects")).toStringList()) {
+    QAction* action = recent_menu_.addAction(path, this, [this, path] {
+      if (mayClose()) openProject(path);
+    });
+    action->setEnabled(QFileInfo::exists(path));
+  }
+  if (recent_menu_.isEmpty()) recent_menu_.addAction(tr("None yet"))->setEnabled(false);
+}
+
+void ProjectFiles::showProblem(const RasterProblem& problem) {
+  Message message;
+  message.id = QStringLiteral("image-%1-%2").arg(problem.side == Side::kBlueprint ? 0 : 1).arg(toQString(problem.map));
+  message.severity = problem.kind == RasterProblem::Kind::kChanged ? Severity::kWarning : Severity::kError;
+  message.text = problem.sentence;
+  message.cures.push_back({tr("Find it..."), [this, problem] {
+                             const QString path = QFileDialog::getOpenFileName(
+                                 &window_, tr("Where is %1?").arg(toQString(problem.image.filename())), folder());
+                             if (!path.isEmpty()) relocate(problem, path);
+                           }});
+  messages_.show(std::move(message));
+}
+
+bool ProjectFiles::relocate(const RasterProblem& problem, const QString& path) {
+  ProjectDocument& document = session_.document();
+  const ProjectSlamMap* map = nullptr;
+  for (const ProjectSlamMap& each : document.project().slam_maps)
+    if (each.name == problem.map) map = &each;
+  if (problem.side == Side::kSlam && !map) return false;
+  ProjectRaster raster = problem.side == Side::kBlueprint ? document.project().blueprint : map->raster;
+  const std::filesystem::path file = toPath(QFileInfo(path).absoluteFilePath());
+  if (isYaml(path)) {
+    Result<MapMetadata> read = readMapMetadata(file);
+    if (!read) {
+      showError(QStringLiteral("relocate"), read.error());
+      return false;
+    }
+    raster.metadata.image = read->image;
+  } else {
+    raster.metadata.image = file;
+  }
+  messages_.remove(QStringLiteral("relocate"));
+  messages_.remove(
+      QStringLiteral("image-%1-%2").arg(problem.side == Side::kBlueprint ? 0 : 1).arg(toQString(problem.map)));
+  problem.side == Side::kBlueprint ? edit::setBlueprint(document, raster)
+                                   : edit::setSlamRaster(document, problem.map, raster);
+  return true;
+}
+
+}  // namespace cad2slam

@@ -1,0 +1,147 @@
+// SPDX-FileCopyrightText: 2026 The CAD2SLAM authors
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/main_window/report.h"
+
+#include "cad2slam/io/atomic_file.h"
+#include "ui/convert.h"
+#include "ui/models/number_text.h"
+
+#include <QBuffer>
+#include <QCoreApplication>
+#include <QDateTime>
+#include <QLocale>
+#include <QPageSize>
+#include <QPdfWriter>
+#include <QTextDocument>
+#include <QUrl>
+
+#include <algorithm>
+
+namespace cad2slam {
+namespace {
+
+constexpr int kDotsPerInch = 150;
+constexpr int kMarginMm = 14;
+
+struct Text {
+  Q_DECLARE_TR_FUNCTIONS(Report)
+};
+
+QString row(const QStringList& cells, const char* tag = "td") {
+  QString html = QStringLiteral("<tr>");
+  for (const QString& cell : cells)
+    html += QStringLiteral("<%1 align=\"left\">%2</%1>").arg(QLatin1String(tag), cell.toHtmlEscaped());
+  return html + QStringLiteral("</tr>");
+}
+
+QString length(const std::optional<double>& value_m) {
+  return value_m ? lengthText(*value_m) : QStringLiteral("–");
+}
+
+QString wordOf(AnchorClass judged) {
+  switch (judged) {
+    case AnchorClass::kOk:
+      return Text::tr("OK");
+    case AnchorClass::kLook:
+      return Text::tr("look");
+    case AnchorClass::kBad:
+      return Text::tr("bad");
+    case AnchorClass::kDisabled:
+      return Text::tr("off (check)");
+    case AnchorClass::kPlain:
+      return {};
+  }
+  return {};
+}
+
+QString rasterRow(const QString& name, const ProjectRaster& raster, const std::optional<MapFrame>& frame) {
+  const QString size = frame ? QStringLiteral("%1 x %2 px").arg(frame->width()).arg(frame->height()) : QString();
+  return row({name, toQString(raster.metadata.image.filename()), size,
+              Text::tr("%1 m/px").arg(numberText(raster.metadata.resolution_m_per_px, 4)),
+              toQString(raster.image_sha256).left(16)});
+}
+
+}  // namespace
+
+QString reportHtml(Session& session, const ReportExtras& extras) {
+  ProjectDocument& document = session.document();
+  const AlignmentSummary& summary = session.summary();
+  QString html = QStringLiteral("<html><body style=\"font-family: sans-serif; font-size: 9pt\">");
+  const QString title = document.path().empty() ? Text::tr("Project not saved") : toQString(document.path().filename());
+  html +=
+      QStringLiteral("<h1>%1</h1><p>%2</p>")
+          .arg(title.toHtmlEscaped(), Text::tr("CAD2SLAM %1, %2")
+                                          .arg(QCoreApplication::applicationVersion(),
+                                               QLocale().toString(QDateTime::currentDateTime(), QLocale::ShortFormat))
+                                          .toHtmlEscaped());
+
+  html += QStringLiteral("<h2>%1</h2><table cellpadding=\"3\" width=\"100%\">").arg(Text::tr("Result"));
+  html += row({Text::tr("Anchors used"), Text::tr("%1 of %2").arg(summary.used).arg(summary.total)});
+  html += row({Text::tr("RMS of the residuals"), length(summary.rms_residual_m)});
+  html += row({Text::tr("Largest residual"), length(summary.max_residual_m)});
+  html += row({Text::tr("Median error without the anchor itself"), length(summary.median_leave_one_out_m)});
+  if (const SolveResultPtr& result = session.alignment().result()) {
+    const Similarity2& fit = result->solution.global_fit;
+    html +=
+        row({Text::tr("Turn and scale of the SLAM map"),
+             Text::tr("%1°, %2").arg(numberText(wrapAngle(fit.heading) * 180.0 / kPi, 2), numberText(fit.scale, 4))});
+    html += row({Text::tr("Mesh"), Text::tr("%1 nodes, cells of %2 m, folded tiles: %3")
+                                       .arg(result->mesh->nodeCount())
+                                       .arg(numberText(result->mesh->lattice().cell_size, 2))
+                                       .arg(result->projector.foldedTileCount())});
+  }
+  html += QStringLiteral("</table>");
+
+  if (!extras.findings.isEmpty()) {
+    html += QStringLiteral("<h2>%1</h2><ul>").arg(Text::tr("To look at"));
+    for (const QString& finding : extras.findings) html += QStringLiteral("<li>%1</li>").arg(finding.toHtmlEscaped());
+    html += QStringLiteral("</ul>");
+  }
+  for (std::size_t i = 0; i < extras.pictures.size(); ++i)
+    html += QStringLiteral("<h2>%1</h2><img src=\"picture%2\" width=\"660\">")
+                .arg(extras.pictures[i].caption.toHtmlEscaped())
+                .arg(i);
+
+  html += QStringLiteral("<h2>%1</h2><table cellpadding=\"2\" width=\"100%\">").arg(Text::tr("Anchors"));
+  html += row({Text::tr("#"), Text::tr("Name"), Text::tr("Blueprint x, y (m)"), Text::tr("SLAM map x, y (m)"),
+               Text::tr("Residual"), Text::tr("Without it"), Text::tr("Verdict"), Text::tr("Note")},
+              "th");
+  const auto place = [](const Eigen::Vector2d& point) {
+    return metresText(point.x()) + QStringLiteral("; ") + metresText(point.y());
+  };
+  for (const Anchor& anchor : document.anchors()) {
+    const auto found = session.judgements().find(anchor.id);
+    const AnchorJudgement judgement = found == session.judgements().end() ? AnchorJudgement{} : found->second;
+    html += row({QString::number(anchor.id), toQString(anchor.name), place(anchor.in_blueprint), place(anchor.in_slam),
+                 length(judgement.residual_m), length(judgement.leave_one_out_m), wordOf(judgement.judged),
+                 toQString(anchor.note)});
+  }
+  html += QStringLiteral("</table><h2>%1</h2><table cellpadding=\"2\" width=\"100%\">").arg(Text::tr("Images"));
+  html += row({QString(), Text::tr("File"), Text::tr("Size"), Text::tr("Resolution"), Text::tr("SHA-256 (first 16)")},
+              "th");
+  html += rasterRow(Text::tr("Blueprint"), document.project().blueprint, session.rasters().frame(Side::kBlueprint));
+  if (const ProjectSlamMap* map = document.currentMap())
+    html += rasterRow(Text::tr("SLAM map"), map->raster, session.rasters().frame(Side::kSlam));
+  return html + QStringLiteral("</table></body></html>");
+}
+
+Result<void> writeReport(const QString& path, Session& session, const ReportExtras& extras) {
+  QBuffer buffer;
+  buffer.open(QIODevice::WriteOnly);
+  {
+    QPdfWriter writer(&buffer);
+    writer.setPageSize(QPageSize(QPageSize::A4));
+    writer.setPageMargins(QMarginsF(kMarginMm, kMarginMm, kMarginMm, kMarginMm), QPageLayout::Millimeter);
+    writer.setResolution(kDotsPerInch);
+    writer.setTitle(Text::tr("CAD2SLAM report"));
+    QTextDocument text;
+    for (std::size_t i = 0; i < extras.pictures.size(); ++i)
+      text.addResource(QTextDocument::ImageResource, QUrl(QStringLiteral("picture%1").arg(i)),
+                       extras.pictures[i].image);
+    text.setHtml(reportHtml(session, extras));
+    text.print(&writer);
+  }
+  return writeFileAtomically(toPath(path), buffer.data().toStdString());
+}
+
+}  // namespace cad2slam

@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: 2026 The CAD2SLAM authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "cad2slam/core/result.h"
+#include "ui/main_window/session.h"
+
+#include <QImage>
+#include <QString>
+#include <QStringList>
+
+#include <vector>
+
+namespace cad2slam {
+
+struct ReportPicture {
+  QString caption;
+  QImage image;
+};
+
+/// What a report shows beyond the session itself.
+struct ReportExtras {
+  std::vector<ReportPicture> pictures;
+  QStringList findings;  ///< sentences of the diagnosis
+};
+
+/// The report as HTML; pictures are named picture0, picture1, ...
+[[nodiscard]] QString reportHtml(Session& session, const ReportExtras& extras);
+/// Writes it as PDF on A4, atomically.
+[[nodiscard]] Result<void> writeReport(const QString& path, Session& session, const ReportExtras& extras);
+
+}  // namespace cad2slam

@@ -1,0 +1,312 @@
+// SPDX-FileCopyrightText: 2026 The CAD2SLAM authors
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/models/anchor_table_model.h"
+
+#include "ui/convert.h"
+#include "ui/document/anchor_commands.h"
+#include "ui/models/number_text.h"
+
+#include <QFont>
+#include <QGuiApplication>
+#include <QPalette>
+
+#include <limits>
+#include <utility>
+
+namespace cad2slam {
+namespace {
+
+bool isCoordinate(int column) {
+  return column >= AnchorTableModel::kBlueprintX && column <= AnchorTableModel::kSlamY;
+}
+
+bool isNumber(int column) {
+  return column == AnchorTableModel::kNumber || isCoordinate(column) || column == AnchorTableModel::kResidual ||
+         column == AnchorTableModel::kLeaveOneOut;
+}
+
+double coordinate(const Anchor& anchor, int column) {
+  switch (column) {
+    case AnchorTableModel::kBlueprintX:
+      return anchor.in_blueprint.x();
+    case AnchorTableModel::kBlueprintY:
+      return anchor.in_blueprint.y();
+    case AnchorTableModel::kSlamX:
+      return anchor.in_slam.x();
+    default:
+      return anchor.in_slam.y();
+  }
+}
+
+QString shapeOf(AnchorClass judged) {  // the same shapes as in the views
+  switch (judged) {
+    case AnchorClass::kOk:
+    case AnchorClass::kPlain:
+      return QStringLiteral("●");
+    case AnchorClass::kLook:
+      return QStringLiteral("◆");
+    case AnchorClass::kBad:
+      return QStringLiteral("■");
+    default:
+      return QStringLiteral("○");
+  }
+}
+
+}  // namespace
+
+AnchorTableModel::AnchorTableModel(ProjectDocument& document, QObject* parent)
+    : QAbstractTableModel(parent), document_(document), row_count_(static_cast<int>(document.anchors().size())) {
+  connect(&document_, &ProjectDocument::changed, this, &AnchorTableModel::onChanged);
+}
+
+void AnchorTableModel::onChanged(const ChangeEvent& event) {
+  const bool other_list =
+      bool(event.what & (Change::kEverything | Change::kCurrentMap | Change::kSlamMaps | Change::kBlueprint));
+  if (other_list || !event.added.empty() || !event.removed.empty()) {
+    if (other_list) judgements_.clear();
+    // One gesture may add or remove rows anywhere; a reset is cheaper than announcing every one of them.
+    beginResetModel();
+    row_count_ = static_cast<int>(document_.anchors().size());
+    endResetModel();
+  } else if (event.what & (Change::kAnchors | Change::kAnchorTexts | Change::kPreferences)) {
+    if (row_count_ > 0) emit dataChanged(index(0, 0), index(row_count_ - 1, kColumnCount - 1));
+  }
+}
+
+void AnchorTableModel::setJudgements(std::map<AnchorId, AnchorJudgement> judgements, bool stale) {
+  judgements_ = std::move(judgements);
+  stale_ = stale;
+  if (row_count_ > 0) emit dataChanged(index(0, kEnabled), index(row_count_ - 1, kColumnCount - 1));
+}
+
+AnchorId AnchorTableModel::idOfRow(int row) const {
+  const AnchorList& anchors = document_.anchors();
+  return row >= 0 && row < static_cast<int>(anchors.size()) ? anchors[static_cast<std::size_t>(row)].id : -1;
+}
+
+std::optional<int> AnchorTableModel::rowOf(AnchorId id) const {
+  const AnchorList& anchors = document_.anchors();
+  for (std::size_t i = 0; i < anchors.size(); ++i)
+    if (anchors[i].id == id) return static_cast<int>(i);
+  return std::nullopt;
+}
+
+int AnchorTableModel::rowCount(const QModelIndex& parent) const {
+  return parent.isValid() ? 0 : row_count_;
+}
+int AnchorTableModel::columnCount(const QModelIndex& parent) const {
+  return parent.isValid() ? 0 : kColumnCount;
+}
+
+const AnchorJudgement* AnchorTableModel::judgementOf(AnchorId id) const {
+  const auto found = judgements_.find(id);
+  return found == judgements_.end() ? nullptr : &found->second;
+}
+
+QString AnchorTableModel::flagText(const Anchor& anchor) const {
+  const AnchorJudgement* judgement = judgementOf(anchor.id);
+  const AnchorClass judged = !anchor.enabled ? AnchorClass::kDisabled
+                             : judgement     ? judgement->judged
+                                             : AnchorClass::kPlain;
+  QString word;
+  switch (judged) {
+    case AnchorClass::kOk:
+      word = tr("OK");
+      break;
+    case AnchorClass::kLook:
+      word = tr("look");
+      break;
+    case AnchorClass::kBad:
+      word = tr("bad");
+      break;
+    case AnchorClass::kDisabled:
+      word = tr("off");
+      break;
+    default:
+      break;
+  }
+  QString text = shapeOf(judged);
+  if (!word.isEmpty()) text += QLatin1Char(' ') + word;
+  if (document_.isSnapped(anchor.id)) text += QStringLiteral(" ⌐ ") + tr("snapped");
+  return text;
+}
+
+QVariant AnchorTableModel::display(const Anchor& anchor, int column) const {
+  const AnchorJudgement* judgement = judgementOf(anchor.id);
+  const auto centimetres = [](const std::optional<double>& value) {
+    return value ? centimetresText(*value) : QStringLiteral("–");
+  };
+  switch (column) {
+    case kNumber:
+      return static_cast<qlonglong>(anchor.id);
+    case kName:
+      return toQString(anchor.name);
+    case kResidual:
+      return centimetres(judgement ? judgement->residual_m : std::nullopt);
+    case kLeaveOneOut:
+      return centimetres(judgement ? judgement->leave_one_out_m : std::nullopt);
+    case kFlag:
+      return flagText(anchor);
+    case kNote:
+      return toQString(anchor.note);
+    default:
+      return isCoordinate(column) ? QVariant(metresText(coordinate(anchor, column))) : QVariant();
+  }
+}
+
+QVariant AnchorTableModel::sortValue(const Anchor& anchor, int column) const {
+  const AnchorJudgement* judgement = judgementOf(anchor.id);
+  const auto number = [](const std::optional<double>& value) {
+    return value.value_or(-std::numeric_limits<double>::infinity());
+  };
+  switch (column) {
+    case kEnabled:
+      return anchor.enabled ? 1 : 0;
+    case kResidual:
+      return number(judgement ? judgement->residual_m : std::nullopt);
+    case kLeaveOneOut:
+      return number(judgement ? judgement->leave_one_out_m : std::nullopt);
+    case kFlag:
+      return judgement ? static_cast<int>(judgement->judged) : 0;
+    default:
+      return isCoordinate(column) ? QVariant(coordinate(anchor, column)) : display(anchor, column);
+  }
+}
+
+QString AnchorTableModel::tooltip(const Anchor& anchor, int column) const {
+  const AnchorJudgement* judgement = judgementOf(anchor.id);
+  if (column == kLeaveOneOut && judgement && judgement->leave_one_out_m)
+    return tr("Without anchor %1 the alignment would be off by %2 here")
+        .arg(anchor.id)
+        .arg(lengthText(*judgement->leave_one_out_m));
+  if (column == kResidual && judgement && judgement->residual_m)
+    return judgement->is_check
+               ? tr("Not used: the other anchors put this place %1 from where you clicked")
+                     .arg(lengthText(*judgement->residual_m))
+               : tr("The alignment puts this place %1 from where you clicked").arg(lengthText(*judgement->residual_m));
+  return {};
+}
+
+QVariant AnchorTableModel::data(const QModelIndex& index, int role) const {
+  const AnchorList& anchors = document_.anchors();
+  if (!index.isValid() || index.row() >= static_cast<int>(anchors.size())) return {};
+  const Anchor& anchor = anchors[static_cast<std::size_t>(index.row())];
+  const int column = index.column();
+  switch (role) {
+    case Qt::DisplayRole:
+      return display(anchor, column);
+    case Qt::EditRole:
+      return isCoordinate(column) ? numberText(coordinate(anchor, column), 4) : display(anchor, column);
+    case kSortRole:
+      return sortValue(anchor, column);
+    case Qt::CheckStateRole:
+      return column == kEnabled ? QVariant(anchor.enabled ? Qt::Checked : Qt::Unchecked) : QVariant();
+    case Qt::TextAlignmentRole:
+      return isNumber(column) ? QVariant(int(Qt::AlignRight | Qt::AlignVCenter)) : QVariant();
+    case Qt::ToolTipRole:
+      return tooltip(anchor, column);
+    case Qt::FontRole: {
+      if (anchor.enabled) return {};
+      QFont font;
+      font.setItalic(true);
+      return font;
+    }
+    case Qt::ForegroundRole: {
+      const bool number_of_solve = column == kResidual || column == kLeaveOneOut || column == kFlag;
+      const bool grey = !anchor.enabled || (stale_ && number_of_solve);
+      return grey ? QVariant(QGuiApplication::palette().color(QPalette::Disabled, QPalette::Text)) : QVariant();
+    }
+    case Qt::AccessibleTextRole:
+      if (column == kEnabled)
+        return anchor.enabled ? tr("anchor %1, used").arg(anchor.id) : tr("anchor %1, not used").arg(anchor.id);
+      return {};
+    default:
+      return {};
+  }
+}
+
+bool AnchorTableModel::setData(const QModelIndex& index, const QVariant& value, int role) {
+  const Anchor* anchor = index.isValid() ? document_.anchor(idOfRow(index.row())) : nullptr;
+  if (!anchor || document_.isLocked()) return false;
+  const AnchorId id = anchor->id;
+  const int column = index.column();
+  if (column == kEnabled && role == Qt::CheckStateRole) {
+    edit::setEnabled(document_, {id}, value.toInt() == Qt::Checked);
+    return true;
+  }
+  if (role != Qt::EditRole) return false;
+  if (column == kName || column == kNote) {
+    const std::string text = toStd(value.toString().trimmed());
+    column == kName ? edit::rename(document_, id, text) : edit::setNote(document_, id, text);
+    return true;
+  }
+  if (!isCoordinate(column)) return false;
+  const std::optional<double> number = parseNumber(value.toString());
+  if (!number) return false;
+  // The editor shows fewer digits than the value has: leaving the text as it is must not round the anchor.
+  if (value.toString() == data(index, Qt::EditRole).toString()) return true;
+  Eigen::Vector2d in_blueprint = anchor->in_blueprint;
+  Eigen::Vector2d in_slam = anchor->in_slam;
+  Eigen::Vector2d& point = column <= kBlueprintY ? in_blueprint : in_slam;
+  point[column == kBlueprintX || column == kSlamX ? 0 : 1] = *number;
+  edit::setCoordinates(document_, id, in_blueprint, in_slam);
+  return true;
+}
+
+QVariant AnchorTableModel::headerData(int section, Qt::Orientation orientation, int role) const {
+  if (orientation != Qt::Horizontal) return {};
+  if (role == Qt::DisplayRole) {
+    switch (section) {
+      case kEnabled:
+        return tr("On");
+      case kNumber:
+        return tr("#");
+      case kName:
+        return tr("Name");
+      case kBlueprintX:
+        return tr("Blueprint x (m)");
+      case kBlueprintY:
+        return tr("Blueprint y (m)");
+      case kSlamX:
+        return tr("SLAM map x (m)");
+      case kSlamY:
+        return tr("SLAM map y (m)");
+      case kResidual:
+        return tr("Residual (cm)");
+      case kLeaveOneOut:
+        return tr("Without it (cm)");
+      case kFlag:
+        return tr("Flag");
+      case kNote:
+        return tr("Note");
+      default:
+        return {};
+    }
+  }
+  if (role == Qt::ToolTipRole) {
+    switch (section) {
+      case kEnabled:
+        return tr("Whether the anchor takes part; one that does not is kept as a check (X)");
+      case kResidual:
+        return tr("Distance between where the alignment puts the anchor and where you clicked");
+      case kLeaveOneOut:
+        return tr("How far off the alignment would be here without this anchor (from 4 anchors on)");
+      case kFlag:
+        return tr("● OK, ◆ have a look, ■ bad, ○ off; the limits are in the settings");
+      default:
+        return {};
+    }
+  }
+  return {};
+}
+
+Qt::ItemFlags AnchorTableModel::flags(const QModelIndex& index) const {
+  if (!index.isValid()) return Qt::NoItemFlags;
+  Qt::ItemFlags flags = Qt::ItemIsSelectable | Qt::ItemIsEnabled | Qt::ItemNeverHasChildren;
+  if (document_.isLocked()) return flags;
+  if (index.column() == kEnabled) flags |= Qt::ItemIsUserCheckable;
+  if (index.column() == kName || index.column() == kNote || isCoordinate(index.column())) flags |= Qt::ItemIsEditable;
+  return flags;
+}
+
+}  // namespace cad2slam

@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: 2026 The CAD2SLAM authors
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/models/number_text.h"
+
+#include <QCoreApplication>
+#include <QLocale>
+
+#include <cmath>
+
+namespace cad2slam {
+namespace {
+
+constexpr double kLargestCoordinate = 1e9;  // beyond that doubles lose micrometres, and it is a typing error anyway
+
+}  // namespace
+
+QString numberText(double value, int decimals) {
+  QLocale locale;
+  locale.setNumberOptions(QLocale::OmitGroupSeparator);
+  const QString text = locale.toString(value, 'f', decimals);
+  // "-0.000" is only a rounded zero.
+  const bool is_zero = std::abs(value) < 0.5 * std::pow(10.0, -decimals);
+  return is_zero ? locale.toString(0.0, 'f', decimals) : text;
+}
+
+std::optional<double> parseNumber(const QString& text) {
+  QString plain = text.trimmed();
+  if (plain.endsWith(QLatin1Char('m'))) plain = plain.chopped(1).trimmed();
+  if (plain.contains(QLatin1Char(',')) && plain.contains(QLatin1Char('.'))) return std::nullopt;  // ambiguous
+  plain.replace(QLatin1Char(','), QLatin1Char('.'));
+  plain.replace(QChar(0x2212), QLatin1Char('-'));
+  bool ok = false;
+  const double value = QLocale::c().toDouble(plain, &ok);
+  if (!ok || !std::isfinite(value) || std::abs(value) > kLargestCoordinate) return std::nullopt;
+  return value;
+}
+
+QString metresText(double value_m) {
+  return numberText(value_m, 3);
+}
+
+QString centimetresText(double value_m) {
+  return numberText(100.0 * value_m, std::abs(value_m) < 10.0 ? 1 : 0);
+}
+
+QString lengthText(double value_m) {
+  if (std::abs(value_m) < 1.0) return QCoreApplication::translate("units", "%1 cm").arg(centimetresText(value_m));
+  return QCoreApplication::translate("units", "%1 m").arg(numberText(value_m, 2));
+}
+
+}  // namespace cad2slam

@@ -1,0 +1,184 @@
+// SPDX-FileCopyrightText: 2026 The CAD2SLAM authors
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/panels/anchor_panel.h"
+
+#include "ui/models/number_text.h"
+#include "ui/panels/coordinate_delegate.h"
+
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QKeyEvent>
+#include <QLabel>
+#include <QTableView>
+#include <QToolBar>
+#include <QVBoxLayout>
+
+#include <algorithm>
+
+namespace cad2slam {
+namespace {
+
+QLabel* footerLabel(QHBoxLayout* layout, const QString& object_name, const QString& definition) {
+  auto* label = new QLabel;
+  label->setObjectName(object_name);
+  label->setToolTip(definition);
+  label->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  layout->addWidget(label);
+  return label;
+}
+
+}  // namespace
+
+AnchorPanel::AnchorPanel(ProjectDocument& document, AnchorSelection& selection, QWidget* parent)
+    : QWidget(parent), document_(document), selection_(selection), model_(document) {
+  sorted_.setSourceModel(&model_);
+  sorted_.setSortRole(AnchorTableModel::kSortRole);
+  sorted_.setDynamicSortFilter(true);
+
+  tool_bar_ = new QToolBar(this);
+  tool_bar_->setIconSize({18, 18});
+  tool_bar_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+
+  table_ = new QTableView(this);
+  table_->setObjectName(QStringLiteral("anchorTable"));
+  table_->setAccessibleName(tr("Anchors"));
+  table_->setModel(&sorted_);
+  table_->setSelectionBehavior(QAbstractItemView::SelectRows);
+  table_->setSelectionMode(QAbstractItemView::ExtendedSelection);
+  // Not AnyKeyPressed: single keys are shortcuts.
+  table_->setEditTriggers(QAbstractItemView::EditKeyPressed | QAbstractItemView::SelectedClicked);
+  table_->setSortingEnabled(true);
+  table_->sortByColumn(AnchorTableModel::kNumber, Qt::AscendingOrder);
+  table_->setAlternatingRowColors(true);
+  table_->setWordWrap(false);
+  table_->verticalHeader()->hide();
+  table_->verticalHeader()->setDefaultSectionSize(table_->fontMetrics().height() + 6);
+  table_->horizontalHeader()->setStretchLastSection(true);
+  table_->horizontalHeader()->setHighlightSections(false);
+  auto* delegate = new CoordinateDelegate(table_);
+  for (int column = 0; column < AnchorTableModel::kColumnCount; ++column) {
+    const QString header = model_.headerData(column, Qt::Horizontal, Qt::DisplayRole).toString();
+    table_->setColumnWidth(column, std::max(64, table_->fontMetrics().horizontalAdvance(header) + 34));
+  }
+  for (int column = AnchorTableModel::kBlueprintX; column <= AnchorTableModel::kSlamY; ++column)
+    table_->setItemDelegateForColumn(column, delegate);
+  table_->setColumnWidth(AnchorTableModel::kEnabled, 44);
+  table_->setColumnWidth(AnchorTableModel::kNumber, 48);
+  table_->setColumnWidth(AnchorTableModel::kName, 120);
+  table_->setColumnWidth(AnchorTableModel::kFlag, 130);
+  table_->installEventFilter(this);
+
+  hint_ = new QLabel(tr("No anchors yet. Click a corner or pillar in either view, then the same place in the other."),
+                     table_->viewport());
+  hint_->setAlignment(Qt::AlignCenter);
+  hint_->setWordWrap(true);
+  hint_->setEnabled(false);
+  auto* over_table = new QVBoxLayout(table_->viewport());
+  over_table->addWidget(hint_);
+
+  auto* footer = new QHBoxLayout;
+  footer->setContentsMargins(8, 2, 8, 4);
+  footer->setSpacing(20);
+  count_ = footerLabel(footer, QStringLiteral("footerCount"), tr("Anchors that take part, of all anchors"));
+  rms_ = footerLabel(footer, QStringLiteral("footerRms"), tr("Root mean square of the residuals of the anchors used"));
+  max_ = footerLabel(footer, QStringLiteral("footerMax"), tr("Largest residual of the anchors used"));
+  leave_one_out_ = footerLabel(
+      footer, QStringLiteral("footerLeaveOneOut"),
+      tr("Middle of what each anchor would be missed by without itself: an honest guess of the error elsewhere"));
+  footer->addStretch(1);
+
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(0);
+  layout->addWidget(tool_bar_);
+  layout->addWidget(table_, 1);
+  layout->addLayout(footer);
+
+  connect(table_->selectionModel(), &QItemSelectionModel::selectionChanged, this, &AnchorPanel::takeSelection);
+  connect(&selection_, &AnchorSelection::changed, this, &AnchorPanel::showSelection);
+  connect(&model_, &QAbstractItemModel::modelAboutToBeReset, this, [this] { syncing_ = true; });
+  connect(&model_, &QAbstractItemModel::modelReset, this, [this] {
+    syncing_ = false;
+    hint_->setVisible(model_.rowCount() == 0);
+    showSelection();
+  });
+  connect(table_, &QTableView::doubleClicked, this,
+          [this](const QModelIndex& index) { emit jumpRequested(model_.idOfRow(sorted_.mapToSource(index).row())); });
+  setSummary({}, false);
+}
+
+void AnchorPanel::takeSelection() {
+  if (syncing_) return;
+  std::vector<AnchorId> chosen;
+  for (const QModelIndex& index : table_->selectionModel()->selectedRows())
+    chosen.push_back(model_.idOfRow(sorted_.mapToSource(index).row()));
+  // Keep the order of selection: what was selected before comes first.
+  std::vector<AnchorId> ids = selection_.ids();
+  std::erase_if(ids, [&](AnchorId id) { return std::find(chosen.begin(), chosen.end(), id) == chosen.end(); });
+  for (const AnchorId id : chosen)
+    if (std::find(ids.begin(), ids.end(), id) == ids.end()) ids.push_back(id);
+  syncing_ = true;
+  selection_.set(std::move(ids));
+  syncing_ = false;
+}
+
+void AnchorPanel::showSelection() {
+  if (syncing_) return;
+  syncing_ = true;
+  QItemSelection rows;
+  QModelIndex current;
+  for (const AnchorId id : selection_.ids()) {
+    const std::optional<int> row = model_.rowOf(id);
+    if (!row) continue;
+    current = sorted_.mapFromSource(model_.index(*row, AnchorTableModel::kName));
+    rows.select(current.siblingAtColumn(0), current.siblingAtColumn(AnchorTableModel::kColumnCount - 1));
+  }
+  if (current.isValid()) {
+    const int column = table_->currentIndex().isValid() ? table_->currentIndex().column() : current.column();
+    table_->selectionModel()->setCurrentIndex(current.siblingAtColumn(column), QItemSelectionModel::NoUpdate);
+    table_->scrollTo(current.siblingAtColumn(column));
+  }
+  table_->selectionModel()->select(rows, QItemSelectionModel::ClearAndSelect);
+  syncing_ = false;
+}
+
+void AnchorPanel::setSummary(const AlignmentSummary& summary, bool stale) {
+  const auto length = [](const std::optional<double>& value) {
+    return value ? lengthText(*value) : QStringLiteral("–");
+  };
+  count_->setText(tr("Used %1 of %2").arg(summary.used).arg(summary.total));
+  rms_->setText(tr("RMS %1").arg(length(summary.rms_residual_m)));
+  max_->setText(tr("Largest %1").arg(length(summary.max_residual_m)));
+  leave_one_out_->setText(tr("Without-it median %1").arg(length(summary.median_leave_one_out_m)));
+  for (QLabel* label : {rms_, max_, leave_one_out_}) label->setEnabled(!stale);
+}
+
+std::optional<AnchorId> AnchorPanel::nextByError(std::optional<AnchorId> after, bool forward) const {
+  std::vector<std::pair<double, AnchorId>> order;
+  for (int row = 0; row < model_.rowCount(); ++row) {
+    const auto value = [&](int column) {
+      return model_.data(model_.index(row, column), AnchorTableModel::kSortRole).toDouble();
+    };
+    order.emplace_back(-std::max(value(AnchorTableModel::kLeaveOneOut), value(AnchorTableModel::kResidual)),
+                       model_.idOfRow(row));
+  }
+  if (order.empty()) return std::nullopt;
+  std::sort(order.begin(), order.end());
+  const auto found = std::find_if(order.begin(), order.end(), [&](const auto& entry) { return entry.second == after; });
+  if (!after || found == order.end()) return forward ? order.front().second : order.back().second;
+  const std::size_t at = static_cast<std::size_t>(found - order.begin());
+  return order[(at + (forward ? 1 : order.size() - 1)) % order.size()].second;
+}
+
+bool AnchorPanel::eventFilter(QObject* watched, QEvent* event) {
+  if (watched == table_ && event->type() == QEvent::KeyPress) {
+    const auto* key = static_cast<QKeyEvent*>(event);
+    if (key->key() == Qt::Key_Space && key->modifiers() == Qt::NoModifier) {
+      emit toggleRequested();
+      return true;
+    }
+  }
+  return QWidget::eventFilter(watched, event);
+}
+
+}  // namespace cad2slam

@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: 2026 The CAD2SLAM authors
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/panels/status_strip.h"
+
+#include <QCoreApplication>
+#include <QFontDatabase>
+#include <QStatusBar>
+
+namespace cad2slam {
+
+StatusStrip::StatusStrip(QStatusBar& bar) : hint_(new QLabel), readout_(new QLabel), chip_(new QToolButton) {
+  hint_->setObjectName(QStringLiteral("hint"));
+  hint_->setAccessibleName(QCoreApplication::translate("StatusStrip", "What to do next"));
+  QFont bold = hint_->font();
+  bold.setBold(true);
+  hint_->setFont(bold);
+  hint_->setMinimumWidth(1);  // a long hint is cut, it does not widen the window
+  readout_->setObjectName(QStringLiteral("readout"));
+  readout_->setFont(QFontDatabase::systemFont(QFontDatabase::FixedFont));
+  chip_->setObjectName(QStringLiteral("solveChip"));
+  chip_->setToolButtonStyle(Qt::ToolButtonTextOnly);
+  chip_->setAutoRaise(true);
+  bar.addWidget(hint_, 1);
+  bar.addPermanentWidget(readout_);
+  bar.addPermanentWidget(chip_);
+  bar.setSizeGripEnabled(false);
+}
+
+void StatusStrip::setHint(const QString& hint) {
+  if (hint_->text() != hint) hint_->setText(hint);
+}
+
+void StatusStrip::setReadout(const QString& readout) {
+  readout_->setText(readout);
+}
+
+void StatusStrip::setChip(const QString& text, ChipLook look) {
+  // The sign in front tells the state without its colour.
+  static constexpr const char16_t* kSigns[] = {u"○ ", u"◌ ", u"● ", u"■ "};
+  static constexpr const char* kColors[] = {"palette(mid)", "#2a78c8", "#00796b", "#c2185b"};
+  const auto at = static_cast<std::size_t>(look);
+  const QString full = QString::fromUtf16(kSigns[at]) + text;
+  if (chip_->text() == full) return;
+  chip_->setText(full);
+  chip_->setStyleSheet(QStringLiteral("QToolButton { border: 1px solid %1; border-radius: 8px; padding: 1px 8px; }")
+                           .arg(QLatin1String(kColors[at])));
+}
+
+}  // namespace cad2slam

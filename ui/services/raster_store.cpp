@@ -1,0 +1,147 @@
+// SPDX-FileCopyrightText: 2026 The CAD2SLAM authors
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/services/raster_store.h"
+
+#include "cad2slam/io/project_file.h"
+#include "ui/convert.h"
+#include "ui/services/guarded.h"
+
+#include <QFutureWatcher>
+#include <QtConcurrent>
+
+#include <utility>
+
+namespace cad2slam {
+namespace {
+
+/// Whether the pixels and what they mean are the same, so that only the metric frame differs.
+bool samePixels(const MapMetadata& a, const MapMetadata& b) {
+  return a.image == b.image && a.mirrored == b.mirrored && a.negate == b.negate && a.mode == b.mode &&
+         a.occupied_threshold == b.occupied_threshold && a.free_threshold == b.free_threshold;
+}
+
+bool sameFrame(const MapMetadata& a, const MapMetadata& b) {
+  return a.resolution_m_per_px == b.resolution_m_per_px &&
+         a.metric_from_corner.translation == b.metric_from_corner.translation &&
+         a.metric_from_corner.heading == b.metric_from_corner.heading;
+}
+
+}  // namespace
+
+struct RasterStore::Answer {
+  Result<MapFrame> frame = fail(ErrorCode::kInternal, "not loaded");
+  std::shared_ptr<const OccupancyGrid> grid;
+  RasterState state = RasterState::kUnchanged;
+  ProjectRaster described;
+  std::vector<std::string> warnings;
+};
+
+RasterStore::RasterStore(ProjectDocument& document, QObject* parent) : QObject(parent), document_(document) {
+  pool_.setMaxThreadCount(2);
+  connect(&document_, &ProjectDocument::changed, this, [this](const ChangeEvent& event) {
+    if (event.what & Change::kEverything)
+      for (Slot& slot : slots_) slot.clear();
+    if (event.what & (Change::kEverything | Change::kBlueprint))
+      follow(Side::kBlueprint, document_.hasBlueprint() ? &document_.project().blueprint : nullptr, {});
+    if (event.what & (Change::kEverything | Change::kSlamMaps | Change::kCurrentMap)) {
+      const ProjectSlamMap* map = document_.currentMap();
+      follow(Side::kSlam, map ? &map->raster : nullptr, map ? map->name : std::string());
+    }
+  });
+}
+
+RasterStore::~RasterStore() {
+  pool_.waitForDone();
+}
+
+void RasterStore::follow(Side side, const ProjectRaster* raster, const std::string& map) {
+  Slot& slot = at(side);
+  if (!raster || raster->metadata.image.empty()) {
+    slot.clear();
+    emit changed(side, true);
+  } else if (slot.wanted && samePixels(*slot.wanted, raster->metadata) && slot.frame) {
+    reframe(side, raster->metadata);
+  } else {
+    load(side, *raster, map);
+  }
+}
+
+void RasterStore::reframe(Side side, const MapMetadata& metadata) {
+  Slot& slot = at(side);
+  if (sameFrame(*slot.wanted, metadata)) return emit changed(side, false);
+  const Result<MapFrame> frame = MapFrame::create(metadata.resolution_m_per_px, slot.frame->width(),
+                                                  slot.frame->height(), metadata.metric_from_corner);
+  if (!frame) return;
+  slot.wanted = metadata;
+  slot.frame = *frame;
+  if (slot.grid) slot.grid = std::make_shared<const OccupancyGrid>(*frame, slot.grid->states());
+  emit changed(side, false);
+}
+
+void RasterStore::load(Side side, const ProjectRaster& raster, const std::string& map) {
+  Slot& slot = at(side);
+  slot.clear();
+  slot.wanted = raster.metadata;
+  const int ticket = slot.ticket;
+  emit changed(side, true);
+  slot.picture = TilePyramid::load(raster.metadata.image, raster.metadata.mirrored);
+  ++loading_;
+  auto* watcher = new QFutureWatcher<Answer>(this);
+  connect(watcher, &QFutureWatcher<Answer>::finished, this, [this, watcher, side, ticket, raster, map] {
+    watcher->deleteLater();
+    --loading_;
+    take(side, ticket, raster, map, watcher->result());
+  });
+  const bool want_grid = side == Side::kBlueprint;
+  watcher->setFuture(QtConcurrent::run(&pool_, [raster, want_grid]() -> Answer {
+    Answer answer;
+    const Result<void> done = guarded([&]() -> Result<void> {
+      answer.state = checkRaster(raster);
+      if (want_grid) {
+        Result<LoadedMap> loaded = loadMap(raster.metadata);
+        if (!loaded) return failAs(loaded);
+        answer.frame = loaded->grid.frame();
+        answer.grid = std::make_shared<const OccupancyGrid>(loaded->grid);
+        answer.warnings = std::move(loaded->warnings);
+      } else {
+        answer.frame = readMapFrame(raster.metadata);
+        if (!answer.frame) return failAs(answer.frame);
+      }
+      if (raster.image_sha256.empty())
+        if (Result<ProjectRaster> described = describeRaster(raster.metadata)) answer.described = *std::move(described);
+      return {};
+    });
+    if (!done) answer.frame = failAs(done);
+    return answer;
+  }));
+}
+
+void RasterStore::take(Side side, int ticket, const ProjectRaster& raster, const std::string& map,
+                       const Answer& answer) {
+  Slot& slot = at(side);
+  if (slot.ticket != ticket) return;
+  if (!answer.frame) {
+    slot.clear();
+    const bool missing = answer.state == RasterState::kMissing || answer.frame.error().code == ErrorCode::kNotFound;
+    emit problem({missing ? RasterProblem::Kind::kMissing : RasterProblem::Kind::kUnreadable, side, map,
+                  raster.metadata.image, toQString(answer.frame.error().sentence())});
+    return emit changed(side, true);
+  }
+  // The document may have been rescaled while the image was being read.
+  const MapMetadata wanted = *slot.wanted;
+  slot.wanted = raster.metadata;
+  slot.frame = *answer.frame;
+  slot.grid = answer.grid;
+  if (!sameFrame(wanted, raster.metadata)) reframe(side, wanted);
+  if (!answer.described.image_sha256.empty())
+    document_.describeRasters(map, side == Side::kBlueprint ? answer.described : ProjectRaster{},
+                              side == Side::kSlam ? answer.described : ProjectRaster{});
+  emit changed(side, true);
+  if (answer.state == RasterState::kChanged)
+    emit problem({RasterProblem::Kind::kChanged, side, map, raster.metadata.image,
+                  tr("%1 is not the image this project was made with; check that the anchors still fit")
+                      .arg(toQString(raster.metadata.image.filename()))});
+  for (const std::string& warning : answer.warnings) emit warned(toQString(warning));
+}
+
+}  // namespace cad2slam

@@ -1,0 +1,82 @@
+// SPDX-FileCopyrightText: 2026 The CAD2SLAM authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "cad2slam/io/map_file.h"
+#include "cad2slam/map/occupancy_grid.h"
+#include "ui/document/project_document.h"
+#include "ui/services/tile_pyramid.h"
+
+#include <QObject>
+#include <QThreadPool>
+
+#include <memory>
+#include <optional>
+#include <string>
+
+namespace cad2slam {
+
+/// What is wrong with an image of the project.
+struct RasterProblem {
+  enum class Kind { kMissing, kUnreadable, kChanged };
+  Kind kind = Kind::kMissing;
+  Side side = Side::kBlueprint;
+  std::string map;  ///< name of the SLAM map, for Side::kSlam
+  std::filesystem::path image;
+  QString sentence;
+};
+
+/// Loads the images of a document in the background: the picture to draw, the frame, and for the blueprint what is
+/// free. Follows the document; anything slow happens on another thread.
+class RasterStore : public QObject {
+  Q_OBJECT
+
+ public:
+  explicit RasterStore(ProjectDocument& document, QObject* parent = nullptr);
+  ~RasterStore() override;
+
+  /// Null or empty until loaded. The SLAM map is the current one.
+  [[nodiscard]] const std::optional<MapFrame>& frame(Side side) const { return at(side).frame; }
+  [[nodiscard]] const std::shared_ptr<TilePyramid>& picture(Side side) const { return at(side).picture; }
+  [[nodiscard]] const std::shared_ptr<const OccupancyGrid>& grid(Side side) const { return at(side).grid; }
+  [[nodiscard]] bool isLoading() const { return loading_ > 0; }
+
+ signals:
+  /// Picture, frame or grid of a side are there, others, or gone. `new_picture`: not just another frame for it.
+  void changed(cad2slam::Side side, bool new_picture);
+  void problem(const cad2slam::RasterProblem& problem);
+  void warned(const QString& sentence);
+
+ private:
+  struct Slot {
+    std::optional<MapMetadata> wanted;
+    std::optional<MapFrame> frame;
+    std::shared_ptr<TilePyramid> picture;
+    std::shared_ptr<const OccupancyGrid> grid;
+    int ticket = 0;  // of the newest request; answers to older ones are dropped
+
+    void clear() {
+      const int next = ticket + 1;
+      *this = Slot();
+      ticket = next;
+    }
+  };
+  struct Answer;
+
+  [[nodiscard]] Slot& at(Side side) { return slots_[side == Side::kBlueprint ? 0 : 1]; }
+  [[nodiscard]] const Slot& at(Side side) const { return slots_[side == Side::kBlueprint ? 0 : 1]; }
+  void follow(Side side, const ProjectRaster* raster, const std::string& map);
+  void reframe(Side side, const MapMetadata& metadata);
+  void load(Side side, const ProjectRaster& raster, const std::string& map);
+  void take(Side side, int ticket, const ProjectRaster& raster, const std::string& map, const Answer& answer);
+
+  ProjectDocument& document_;
+  Slot slots_[2];
+  QThreadPool pool_;
+  int loading_ = 0;
+};
+
+}  // namespace cad2slam
+
+Q_DECLARE_METATYPE(cad2slam::RasterProblem)
+Q_DECLARE_METATYPE(cad2slam::Side)

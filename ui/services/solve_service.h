@@ -1,0 +1,65 @@
+// SPDX-FileCopyrightText: 2026 The CAD2SLAM authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "ui/services/solve_types.h"
+
+#include <QFutureWatcher>
+#include <QObject>
+#include <QPointF>
+#include <QThreadPool>
+
+#include <memory>
+#include <optional>
+
+namespace cad2slam {
+
+class SolveWorker;
+
+/// Solves in a thread of its own; the newest request wins. A running full solve is cancelled by any newer request; a
+/// running preview is short and may land, so that a drag is never starved. Results come in the order of their
+/// revisions, never an older one after a newer one. All signals are emitted on the thread of this object.
+class SolveService : public QObject {
+  Q_OBJECT
+
+ public:
+  explicit SolveService(QObject* parent = nullptr);
+  ~SolveService() override;
+
+  void request(SolveRequest request);
+  /// Drops what waits and stops what runs; a result that is already on its way is dropped as well.
+  void cancel();
+  [[nodiscard]] bool isBusy() const { return running_.has_value() || waiting_.has_value(); }
+
+  /// Asks how well a place of the blueprint is known; answered by sigmaKnown() after what runs now.
+  void requestSigma(const std::string& map, const QPointF& point_in_blueprint);
+
+ signals:
+  void started(cad2slam::Quality quality);
+  void progressed(int iteration);
+  void solved(const cad2slam::SolveResultPtr& result);
+  void failed(const cad2slam::SolveFailure& failure);
+  void idle();
+  void sigmaKnown(const QPointF& point_in_blueprint, double sigma_m);
+
+ private:
+  using Outcome = Result<SolveResultPtr>;
+  struct Running {
+    Quality quality;
+    std::uint64_t revision;
+    std::string map;
+  };
+
+  void start(SolveRequest request);
+  void onFinished();
+
+  std::shared_ptr<SolveWorker> worker_;  // touched by the lane only
+  QThreadPool lane_;                     // one thread
+  QFutureWatcher<Outcome> watcher_;
+  std::optional<Running> running_;
+  std::optional<SolveRequest> waiting_;
+};
+
+}  // namespace cad2slam
+
+Q_DECLARE_METATYPE(cad2slam::Quality)

@@ -1,0 +1,215 @@
+// SPDX-FileCopyrightText: 2026 The CAD2SLAM authors
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/tools/test_poses.h"
+
+#include "ui/convert.h"
+#include "ui/models/number_text.h"
+#include "ui/services/guarded.h"
+
+#include <QRegularExpression>
+
+#include <algorithm>
+#include <cmath>
+
+namespace cad2slam {
+namespace {
+
+constexpr double kRobotRadius = 0.3;               // [m]
+constexpr double kStepAside = 2.0;                 // [m] of the goal from the robot, when it first appears
+constexpr std::size_t kLargestPoseCount = 20'000;  // more would only be ink
+const QColor kRobotColor(0xe0, 0x5a, 0x00);
+const QColor kGoalColor(0x2e, 0x7d, 0x32);
+const QColor kLoadedColor(0x6a, 0x1b, 0x9a);
+
+}  // namespace
+
+struct TestPoses::PlanRequest {
+  std::shared_ptr<const OccupancyGrid> grid;
+  Eigen::Vector2d start;
+  Eigen::Vector2d goal;
+};
+
+TestPoses::TestPoses(Session& session, QObject* parent) : QObject(parent), session_(session) {
+  planner_ = std::make_unique<LatestJob<PlanRequest, Result<PlannedPath>>>(
+      [](const PlanRequest& request) {
+        return guarded([&] { return planPath(*request.grid, request.start, request.goal); });
+      },
+      [this](const Result<PlannedPath>& planned) {
+        path_ = planned ? std::optional(*planned) : std::nullopt;
+        if (!planned) emit planningFailed(toQString(planned.error().sentence()));
+        emit changed();
+      });
+  connect(&session_.alignment(), &Alignment::resultChanged, this, &TestPoses::changed);
+  connect(&session_.document(), &ProjectDocument::changed, this, [this](const ChangeEvent& event) {
+    if (!(event.what & (Change::kEverything | Change::kBlueprint))) return;
+    path_.reset();
+    if (event.what & Change::kEverything) {
+      placed_[0] = placed_[1] = false;
+      loaded_.clear();
+    }
+    emit changed();
+  });
+}
+
+TestPoses::~TestPoses() = default;
+
+void TestPoses::setRobotVisible(bool visible, const QPointF& where) {
+  robot_visible_ = visible;
+  if (visible && !placed_[0]) {
+    poses_[0] = {toEigen(where), 0.0};
+    placed_[0] = true;
+  }
+  emit changed();
+}
+
+void TestPoses::setPathVisible(bool visible, const QPointF& where) {
+  path_visible_ = visible;
+  if (visible && !placed_[1]) {
+    poses_[1] = {(placed_[0] ? poses_[0].translation : toEigen(where)) + Eigen::Vector2d(kStepAside, 0.0), 0.0};
+    placed_[1] = true;
+  }
+  if (visible) plan();
+  emit changed();
+}
+
+void TestPoses::setRobot(const Pose2& in_blueprint) {
+  poses_[0] = in_blueprint;
+  placed_[0] = true;
+  plan();
+  emit changed();
+}
+
+std::optional<Pose2> TestPoses::carried(const Pose2& pose, Side from, bool& certain) const {
+  const SolveResultPtr& result = session_.alignment().result();
+  if (!result) return std::nullopt;
+  const Projection there = from == Side::kBlueprint ? result->projector.slamFromBlueprint(pose, OutsidePolicy::kRigid)
+                                                    : result->projector.blueprintFromSlam(pose, OutsidePolicy::kRigid);
+  certain = there.status == ProjectionStatus::kInside;
+  return there.ok() ? std::optional(there.pose) : std::nullopt;
+}
+
+void TestPoses::drag(Side side, MarkerId id, const QPointF& point_m) {
+  if (id != kRobot && id != kGoal) return;
+  Pose2& pose = poses_[id == kRobot ? 0 : 1];
+  if (side == Side::kBlueprint) {
+    pose.translation = toEigen(point_m);
+  } else {
+    bool certain = false;
+    const std::optional<Pose2> in_slam = carried(pose, Side::kBlueprint, certain);
+    const std::optional<Pose2> back =
+        carried({toEigen(point_m), in_slam ? in_slam->heading : 0.0}, Side::kSlam, certain);
+    if (!back) return;
+    pose = *back;
+  }
+  plan();
+  emit changed();
+}
+
+void TestPoses::turn(Side side, MarkerId id, double heading_rad) {
+  if (id != kRobot && id != kGoal) return;
+  Pose2& pose = poses_[id == kRobot ? 0 : 1];
+  if (side == Side::kBlueprint) {
+    pose.heading = heading_rad;
+  } else {
+    bool certain = false;
+    const std::optional<Pose2> in_slam = carried(pose, Side::kBlueprint, certain);
+    if (!in_slam) return;
+    const std::optional<Pose2> back = carried({in_slam->translation, heading_rad}, Side::kSlam, certain);
+    if (!back) return;
+    pose.heading = back->heading;
+  }
+  emit changed();
+}
+
+std::optional<TestPoses::Tried> TestPoses::tried(const Pose2& in_blueprint) const {
+  const SolveResultPtr& result = session_.alignment().result();
+  if (!result) return std::nullopt;
+  Tried tried;
+  tried.in_slam = result->projector.slamFromBlueprint(in_blueprint, OutsidePolicy::kRigid);
+  if (!tried.in_slam.ok()) return tried;
+  const Projection back = result->projector.blueprintFromSlam(tried.in_slam.pose, OutsidePolicy::kRigid);
+  tried.round_trip_m = (back.pose.translation - in_blueprint.translation).norm();
+  tried.round_trip_rad = std::abs(wrapAngle(back.pose.heading - in_blueprint.heading));
+  return tried;
+}
+
+void TestPoses::plan() {
+  const auto& grid = session_.rasters().grid(Side::kBlueprint);
+  if (path_visible_ && grid) planner_->request({grid, poses_[0].translation, poses_[1].translation});
+}
+
+std::size_t TestPoses::loadPoses(const QByteArray& text, Side side) {
+  loaded_.clear();
+  loaded_side_ = side;
+  static const QRegularExpression kSeparator(QStringLiteral("[,;\\t ]+"));
+  for (const QByteArray& line : text.split('\n')) {
+    if (loaded_.size() >= kLargestPoseCount) break;
+    const QStringList fields = QString::fromUtf8(line).trimmed().split(kSeparator, Qt::SkipEmptyParts);
+    if (fields.size() < 2) continue;
+    const std::optional<double> x = parseNumber(fields[0]);
+    const std::optional<double> y = parseNumber(fields[1]);
+    const std::optional<double> heading = fields.size() > 2 ? parseNumber(fields[2]) : std::optional(0.0);
+    if (x && y) loaded_.push_back({{*x, *y}, heading.value_or(0.0)});
+  }
+  emit changed();
+  return loaded_.size();
+}
+
+void TestPoses::clearPoses() {
+  loaded_.clear();
+  emit changed();
+}
+
+std::vector<PoseGlyph> TestPoses::glyphs(Side side) const {
+  std::vector<PoseGlyph> glyphs;
+  const auto add = [&](const Pose2& pose, Side of, MarkerId id, const QColor& color, const QString& text) {
+    bool certain = true;
+    std::optional<Pose2> shown = pose;
+    if (of != side) shown = carried(pose, of, certain);
+    if (!shown) return;
+    PoseGlyph glyph;
+    glyph.id = id;
+    glyph.point_m = toQPointF(shown->translation);
+    glyph.heading_rad = shown->heading;
+    glyph.radius_m = kRobotRadius;
+    glyph.color = color;
+    glyph.text = certain ? text : text.isEmpty() ? text : tr("%1 (extrapolated)").arg(text);
+    glyph.turnable = id != kNoMarker;
+    glyph.hollow = !certain;
+    glyphs.push_back(std::move(glyph));
+  };
+  for (const Pose2& pose : loaded_) add(pose, loaded_side_, kNoMarker, kLoadedColor, {});
+  if (path_visible_) add(poses_[1], Side::kBlueprint, kGoal, kGoalColor, tr("goal"));
+  if (robot_visible_ || path_visible_)
+    add(poses_[0], Side::kBlueprint, kRobot, kRobotColor, path_visible_ ? tr("start") : tr("robot"));
+  return glyphs;
+}
+
+std::vector<PathGlyph> TestPoses::paths(Side side) const {
+  if (!path_visible_ || !path_) return {};
+  PathGlyph glyph;
+  glyph.color = kRobotColor;
+  glyph.text = tr("%1 m").arg(numberText(path_->length_m, 1));
+  bool certain = true;
+  for (const Pose2& pose : path_->poses) {
+    const std::optional<Pose2> shown =
+        side == Side::kBlueprint ? std::optional(pose) : carried(pose, Side::kBlueprint, certain);
+    if (shown) glyph.points_m.push_back(toQPointF(shown->translation));
+  }
+  return {std::move(glyph)};
+}
+
+QString TestPoses::sentence() const {
+  const std::optional<Tried> trial = tried(poses_[0]);
+  if (!trial) return tr("Place anchors first, then the robot shows in both views");
+  if (trial->in_slam.status == ProjectionStatus::kFolded) return tr("The mesh folds here: there is no answer");
+  if (!trial->in_slam.ok()) return tr("There is no answer at this place");
+  const Pose2& there = trial->in_slam.pose;
+  return tr("%1SLAM map x %2 m, y %3 m, heading %4°; there and back differs by %5 mm, %6°")
+      .arg(trial->in_slam.status == ProjectionStatus::kExtrapolated ? tr("Extrapolated: ") : QString(),
+           metresText(there.translation.x()), metresText(there.translation.y()),
+           numberText(there.headingWrapped() * 180.0 / kPi, 1), numberText(1000.0 * trial->round_trip_m, 3),
+           numberText(trial->round_trip_rad * 180.0 / kPi, 4));
+}
+
+}  // namespace cad2slam

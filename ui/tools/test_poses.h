@@ -1,0 +1,80 @@
+// SPDX-FileCopyrightText: 2026 The CAD2SLAM authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "cad2slam/planning/grid_planner.h"
+#include "ui/main_window/session.h"
+#include "ui/views/latest_job.h"
+#include "ui/views/marker.h"
+
+#include <QObject>
+
+#include <array>
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace cad2slam {
+
+/// Poses that try the alignment out: a robot to drag in either view, a goal with the way to it, and poses from a file.
+/// Everything is kept in the frame it was given in and carried to the other one through the current alignment.
+class TestPoses : public QObject {
+  Q_OBJECT
+
+ public:
+  static constexpr MarkerId kRobot = -100;
+  static constexpr MarkerId kGoal = -101;
+
+  explicit TestPoses(Session& session, QObject* parent = nullptr);
+  ~TestPoses() override;
+
+  /// `where`: first place of the robot, blueprint frame; kept when it was shown before.
+  void setRobotVisible(bool visible, const QPointF& where);
+  void setPathVisible(bool visible, const QPointF& where);
+  [[nodiscard]] bool isRobotVisible() const { return robot_visible_; }
+
+  void drag(Side side, MarkerId id, const QPointF& point_m);
+  void turn(Side side, MarkerId id, double heading_rad);
+
+  struct Tried {
+    Projection in_slam;
+    double round_trip_m = 0.0;
+    double round_trip_rad = 0.0;
+  };
+  [[nodiscard]] const Pose2& robot() const { return poses_[0]; }  ///< blueprint frame
+  void setRobot(const Pose2& in_blueprint);
+  /// There and back through the current alignment; empty while there is none.
+  [[nodiscard]] std::optional<Tried> tried(const Pose2& in_blueprint) const;
+
+  /// Lines `x,y[,heading]` (metres, radians; comma, semicolon, tab or spaces); lines without numbers are skipped.
+  /// Returns how many poses were read.
+  std::size_t loadPoses(const QByteArray& text, Side side);
+  void clearPoses();
+
+  [[nodiscard]] std::vector<PoseGlyph> glyphs(Side side) const;
+  [[nodiscard]] std::vector<PathGlyph> paths(Side side) const;
+  /// What the status bar says of the robot.
+  [[nodiscard]] QString sentence() const;
+
+ signals:
+  void changed();
+  void planningFailed(const QString& sentence);
+
+ private:
+  struct PlanRequest;
+
+  [[nodiscard]] std::optional<Pose2> carried(const Pose2& pose, Side from, bool& certain) const;
+  void plan();
+
+  Session& session_;
+  std::array<Pose2, 2> poses_;  // robot and goal, blueprint frame
+  bool placed_[2] = {false, false};
+  bool robot_visible_ = false;
+  bool path_visible_ = false;
+  std::optional<PlannedPath> path_;  // blueprint frame
+  std::vector<Pose2> loaded_;
+  Side loaded_side_ = Side::kSlam;
+  std::unique_ptr<LatestJob<PlanRequest, Result<PlannedPath>>> planner_;
+};
+
+}  // namespace cad2slam

@@ -1,0 +1,170 @@
+// SPDX-FileCopyrightText: 2026 The CAD2SLAM authors
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/views/map_decorations.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <QFontMetricsF>
+#include <QLocale>
+#include <QPainterPath>
+#include <QPalette>
+
+namespace cad2slam::decoration {
+namespace {
+
+const QColor kPanel(255, 255, 255, 225);
+const QColor kInk(25, 28, 32);
+
+void paintPanel(QPainter& painter, const QRectF& box, const QColor& fill) {
+  QPainterPath path;
+  path.addRoundedRect(box, 5.0, 5.0);
+  painter.fillPath(path, fill);
+  painter.strokePath(path, QPen(QColor(0, 0, 0, 70), 1.0));
+}
+
+}  // namespace
+
+QColor attentionColor() {
+  return QColor(0x1e, 0x66, 0xd0);
+}
+
+ScaleBar scaleBarFor(double m_per_px, double most_px) {
+  ScaleBar bar;
+  const double most_m = m_per_px * most_px;
+  if (!(most_m > 0.0) || !std::isfinite(most_m)) return bar;
+  const double decade = std::pow(10.0, std::floor(std::log10(most_m)));
+  bar.length_m = decade;
+  for (const double factor : {2.0, 5.0}) {
+    if (decade * factor <= most_m) bar.length_m = decade * factor;
+  }
+  bar.length_px = bar.length_m / m_per_px;
+  const QLocale locale;
+  if (bar.length_m >= 1000.0) {
+    bar.text = QStringLiteral("%1 km").arg(locale.toString(bar.length_m / 1000.0, 'g', 6));
+  } else if (bar.length_m >= 1.0) {
+    bar.text = QStringLiteral("%1 m").arg(locale.toString(bar.length_m, 'g', 6));
+  } else if (bar.length_m >= 0.01) {
+    bar.text = QStringLiteral("%1 cm").arg(locale.toString(bar.length_m * 100.0, 'g', 6));
+  } else {
+    bar.text = QStringLiteral("%1 mm").arg(locale.toString(bar.length_m * 1000.0, 'g', 6));
+  }
+  return bar;
+}
+
+void paintScaleBar(QPainter& painter, const QSizeF& view, double m_per_px) {
+  const ScaleBar bar = scaleBarFor(m_per_px, std::min(150.0, view.width() * 0.35));
+  if (bar.text.isEmpty()) return;
+  painter.save();
+  painter.setRenderHint(QPainter::Antialiasing);
+  const QFontMetricsF metrics(painter.font());
+  const double width = std::max(bar.length_px, metrics.horizontalAdvance(bar.text)) + 16.0;
+  const QRectF box(8.0, view.height() - metrics.height() - 22.0, width, metrics.height() + 14.0);
+  paintPanel(painter, box, kPanel);
+  painter.setPen(kInk);
+  painter.drawText(QRectF(box.x(), box.y() + 2.0, box.width(), metrics.height()), Qt::AlignCenter, bar.text);
+  const double y = box.bottom() - 5.5;
+  const double x = box.center().x() - bar.length_px / 2.0;
+  painter.setPen(QPen(kInk, 2.0, Qt::SolidLine, Qt::FlatCap));
+  painter.drawLine(QPointF(x, y), QPointF(x + bar.length_px, y));
+  painter.drawLine(QPointF(x + 1.0, y - 4.0), QPointF(x + 1.0, y + 1.0));
+  painter.drawLine(QPointF(x + bar.length_px - 1.0, y - 4.0), QPointF(x + bar.length_px - 1.0, y + 1.0));
+  painter.restore();
+}
+
+QRectF compassRect(const QSizeF& view) {
+  return QRectF(view.width() - 46.0, 8.0, 38.0, 38.0);
+}
+
+void paintCompass(QPainter& painter, const QSizeF& view, double rotation_rad, bool hovered) {
+  const QRectF box = compassRect(view);
+  painter.save();
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.setPen(QPen(hovered ? attentionColor() : QColor(0, 0, 0, 90), hovered ? 2.0 : 1.0));
+  painter.setBrush(kPanel);
+  painter.drawEllipse(box);
+  painter.translate(box.center());
+  painter.rotate(-rotation_rad * 180.0 / 3.14159265358979323846);
+  QPainterPath needle;
+  needle.moveTo(0.0, -14.0);
+  needle.lineTo(5.0, 0.0);
+  needle.lineTo(-5.0, 0.0);
+  needle.closeSubpath();
+  painter.fillPath(needle, QColor(0xc6, 0x28, 0x28));
+  painter.rotate(180.0);
+  painter.fillPath(needle, QColor(0x90, 0x95, 0x9b));
+  painter.restore();
+}
+
+QRectF paintChip(QPainter& painter, const QPointF& top_middle, const QString& text, const QColor& color,
+                 double most_width_px) {
+  painter.save();
+  painter.setRenderHint(QPainter::Antialiasing);
+  QFont font = painter.font();
+  font.setBold(true);
+  painter.setFont(font);
+  const QFontMetricsF metrics(font);
+  const QRectF text_rect = metrics.boundingRect(QRectF(0, 0, std::max(60.0, most_width_px - 24.0), 1000.0),
+                                                Qt::AlignCenter | Qt::TextWordWrap, text);
+  const QSizeF size(text_rect.width() + 24.0, text_rect.height() + 12.0);
+  const QRectF box(QPointF(top_middle.x() - size.width() / 2.0, top_middle.y()), size);
+  QPainterPath path;
+  path.addRoundedRect(box, 9.0, 9.0);
+  painter.fillPath(path, color);
+  painter.strokePath(path, QPen(QColor(255, 255, 255, 200), 1.5));
+  painter.setPen(Qt::white);
+  painter.drawText(box.adjusted(12.0, 6.0, -12.0, -6.0), Qt::AlignCenter | Qt::TextWordWrap, text);
+  painter.restore();
+  return box;
+}
+
+void paintAttentionFrame(QPainter& painter, const QSizeF& view, const QColor& color) {
+  painter.save();
+  painter.setBrush(Qt::NoBrush);
+  painter.setPen(QPen(Qt::white, 7.0, Qt::SolidLine, Qt::SquareCap, Qt::MiterJoin));
+  painter.drawRect(QRectF(QPointF(0, 0), view));
+  painter.setPen(QPen(color, 8.0, Qt::SolidLine, Qt::SquareCap, Qt::MiterJoin));
+  painter.drawRect(QRectF(QPointF(0, 0), view));
+  painter.restore();
+}
+
+void paintCrosshair(QPainter& painter, const QSizeF& view, const QPointF& at) {
+  painter.save();
+  constexpr double kGap = 9.0;
+  const QLineF lines[] = {{0, at.y(), at.x() - kGap, at.y()},
+                          {at.x() + kGap, at.y(), view.width(), at.y()},
+                          {at.x(), 0, at.x(), at.y() - kGap},
+                          {at.x(), at.y() + kGap, at.x(), view.height()}};
+  painter.setPen(QPen(QColor(255, 255, 255, 200), 3.0));
+  painter.drawLines(lines, 4);
+  painter.setPen(QPen(QColor(0, 0, 0, 220), 1.0));
+  painter.drawLines(lines, 4);
+  painter.restore();
+}
+
+void paintEmpty(QPainter& painter, const QSizeF& view, const QString& text, const QPalette& palette, bool drop_hover) {
+  painter.save();
+  painter.setRenderHint(QPainter::Antialiasing);
+  const QColor ink = drop_hover ? attentionColor() : palette.color(QPalette::Disabled, QPalette::WindowText);
+  QPen pen(ink, drop_hover ? 3.0 : 2.0);
+  pen.setDashPattern({5.0, 4.0});
+  painter.setPen(pen);
+  const QRectF zone = QRectF(QPointF(0, 0), view).adjusted(24, 24, -24, -24);
+  painter.drawRoundedRect(zone, 12.0, 12.0);
+  QFont font = painter.font();
+  font.setPointSizeF(font.pointSizeF() * 1.15);
+  painter.setFont(font);
+  painter.setPen(palette.color(drop_hover ? QPalette::Active : QPalette::Inactive, QPalette::WindowText));
+  painter.drawText(zone.adjusted(16, 16, -16, -16), Qt::AlignCenter | Qt::TextWordWrap, text);
+  painter.restore();
+}
+
+void paintFocus(QPainter& painter, const QSizeF& view, const QColor& color) {
+  painter.save();
+  painter.setBrush(Qt::NoBrush);
+  painter.setPen(QPen(color, 2.0));
+  painter.drawRect(QRectF(QPointF(1, 1), view - QSizeF(2, 2)));
+  painter.restore();
+}
+
+}  // namespace cad2slam::decoration

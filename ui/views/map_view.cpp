@@ -1,0 +1,323 @@
+// SPDX-FileCopyrightText: 2026 The CAD2SLAM authors
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/views/map_view.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <QResizeEvent>
+
+#include "ui/convert.h"
+
+namespace cad2slam {
+namespace {
+
+constexpr double kFitMargin = 0.04;
+constexpr double kLargestPixel_px = 96.0;  // an image pixel is never drawn larger
+constexpr double kSmallestImage_px = 40.0;
+constexpr int kGlide_ms = 220;
+constexpr int kLongPress_ms = 550;
+
+}  // namespace
+
+MapView::MapView(QWidget* parent) : QWidget(parent), mesh_([this] { update(); }) {
+  setMouseTracking(true);
+  setFocusPolicy(Qt::StrongFocus);
+  setAcceptDrops(true);
+  setAttribute(Qt::WA_OpaquePaintEvent);
+  setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
+  setAccessibleName(tr("Map view"));
+  long_press_.setSingleShot(true);
+  long_press_.setInterval(kLongPress_ms);
+  connect(&long_press_, &QTimer::timeout, this, [this] {
+    long_pressed_ = gesture_ == Gesture::kPressed;
+    update();
+  });
+  animation_.setDuration(kGlide_ms);
+  animation_.setEasingCurve(QEasingCurve::OutCubic);
+  connect(&animation_, &QVariantAnimation::valueChanged, this, [this](const QVariant& value) {
+    ViewState state = state_;
+    state.center_m = value.toPointF();
+    changeState(state);
+  });
+}
+
+MapView::~MapView() {
+  disconnect(image_connection_);
+}
+
+void MapView::setImage(std::shared_ptr<RasterSource> image) {
+  disconnect(image_connection_);
+  raster_.setSource(image);
+  loupe_raster_.setSource(image);
+  if (image) {
+    image_connection_ = connect(image.get(), &RasterSource::tilesChanged, this, [this] {
+      raster_.refresh();
+      loupe_raster_.refresh();
+      update();
+    });
+  } else {
+    gesture_ = Gesture::kNone;
+    snap_m_.reset();
+  }
+  update();
+}
+
+void MapView::setFrame(const MapFrame& frame) {
+  frame_ = frame;
+  updateTransform();
+  update();
+}
+
+const std::optional<MapFrame>& MapView::frame() const {
+  return frame_;
+}
+
+void MapView::setEmptyText(const QString& text) {
+  empty_text_ = text;
+  update();
+}
+
+void MapView::setMarkers(std::vector<Marker> markers) {
+  markers_ = std::move(markers);
+  update();
+}
+void MapView::setMarkersVisible(bool visible) {
+  markers_visible_ = visible;
+  update();
+}
+void MapView::setMarkerTextVisible(bool visible) {
+  marker_text_visible_ = visible;
+  update();
+}
+void MapView::setGhost(std::optional<Ghost> ghost) {
+  ghost_ = std::move(ghost);
+  update();
+}
+void MapView::setResiduals(std::vector<ResidualVector> residuals, double magnification) {
+  residuals_ = std::move(residuals);
+  residual_magnification_ = magnification;
+  update();
+}
+void MapView::setMesh(std::shared_ptr<const MeshOverlay> mesh) {
+  mesh_.setMesh(std::move(mesh));
+  update();
+}
+void MapView::setPoses(std::vector<PoseGlyph> poses) {
+  poses_ = std::move(poses);
+  update();
+}
+void MapView::setPaths(std::vector<PathGlyph> paths) {
+  paths_ = std::move(paths);
+  update();
+}
+void MapView::setMirroredCursor(std::optional<QPointF> point_m, bool certain) {
+  if (!point_m && !mirrored_cursor_m_) return;
+  mirrored_cursor_m_ = point_m;
+  mirrored_certain_ = certain;
+  update();
+}
+void MapView::setHighlighted(MarkerId id) {
+  if (highlighted_ == id) return;
+  highlighted_ = id;
+  update();
+}
+void MapView::setAttention(const QString& chip_text, bool framed) {
+  if (chip_text_ == chip_text && framed_ == framed) return;
+  chip_text_ = chip_text;
+  framed_ = framed;
+  update();
+}
+
+void MapView::setLocked(bool locked) {
+  locked_ = locked;
+}
+void MapView::setSnapping(bool on) {
+  snapping_ = on;
+  if (!on) snap_m_.reset();
+  update();
+}
+bool MapView::isSnapping() const {
+  return snapping_;
+}
+void MapView::setCrosshair(bool on) {
+  crosshair_ = on;
+  update();
+}
+void MapView::setLoupe(bool on) {
+  if (loupe_on_ == on) return;
+  loupe_on_ = on;
+  update();
+  emit loupeChanged(on);
+}
+bool MapView::isLoupeOn() const {
+  return loupe_on_;
+}
+void MapView::setLoupeHeld(bool held) {
+  if (loupe_held_ == held) return;
+  loupe_held_ = held;
+  update();
+}
+bool MapView::isDragging() const {
+  return gesture_ == Gesture::kDragMarker || gesture_ == Gesture::kTurnPose;
+}
+
+ViewState MapView::viewState() const {
+  return state_;
+}
+
+void MapView::setViewState(const ViewState& state) {
+  stopAnimation();
+  fit_pending_ = false;
+  changeState(state);
+}
+
+double MapView::clampedResolution(double m_per_px) const {
+  if (!frame_) return std::clamp(m_per_px, 1e-6, 1e6);
+  const double finest = frame_->resolution() / kLargestPixel_px;
+  const double coarsest = frame_->resolution() * std::max(frame_->width(), frame_->height()) / kSmallestImage_px;
+  return std::clamp(m_per_px, finest, std::max(finest, coarsest));
+}
+
+void MapView::changeState(const ViewState& state) {
+  const bool usable = std::isfinite(state.center_m.x()) && std::isfinite(state.center_m.y()) &&
+                      std::isfinite(state.m_per_px) && state.m_per_px > 0.0 && std::isfinite(state.rotation_rad);
+  if (!usable) return;
+  ViewState next = state;
+  next.m_per_px = clampedResolution(state.m_per_px);
+  next.rotation_rad = wrapAngle(state.rotation_rad);
+  if (next == state_) return;
+  state_ = next;
+  updateTransform();
+  if (cursor_) findSnap(*cursor_, Qt::NoModifier);
+  update();
+  emit viewStateChanged();
+}
+
+void MapView::updateTransform() {
+  widget_from_metres_ = state_.widgetFromMetres(size());
+  metres_from_widget_ = widget_from_metres_.inverted();
+}
+
+QTransform MapView::widgetFromImage() const {
+  if (!frame_) return {};
+  const QPointF origin = toQPointF(frame_->metricFromPixel({0.0, 0.0}));
+  const QPointF column = toQPointF(frame_->metricFromPixel({1.0, 0.0})) - origin;
+  const QPointF row = toQPointF(frame_->metricFromPixel({0.0, 1.0})) - origin;
+  const QTransform metres_from_image(column.x(), column.y(), row.x(), row.y(), origin.x(), origin.y());
+  return metres_from_image * widget_from_metres_;
+}
+
+QPointF MapView::metresFromWidget(const QPointF& widget_px) const {
+  return metres_from_widget_.map(widget_px);
+}
+QPointF MapView::widgetFromMetres(const QPointF& point_m) const {
+  return widget_from_metres_.map(point_m);
+}
+QPointF MapView::imagePixelFromMetres(const QPointF& point_m) const {
+  return frame_ ? toQPointF(frame_->pixelFromMetric(toEigen(point_m))) : QPointF();
+}
+
+void MapView::fit() {
+  if (!frame_) return;
+  fit_pending_ = true;
+  // The raster's own corners, not the box around them, so that a turned raster fills the view as well.
+  stopAnimation();
+  const QPointF center = toQPointF(frame_->metricFromPixel({frame_->width() / 2.0, frame_->height() / 2.0}));
+  const double turn = frame_->metricFromCorner().heading + state_.rotation_rad;
+  const double across = frame_->width() * frame_->resolution();
+  const double up = frame_->height() * frame_->resolution();
+  const double seen_width = std::abs(across * std::cos(turn)) + std::abs(up * std::sin(turn));
+  const double seen_height = std::abs(across * std::sin(turn)) + std::abs(up * std::cos(turn));
+  const double keep = 1.0 - 2.0 * kFitMargin;
+  const double m_per_px =
+      std::max(seen_width / std::max(1.0, width() * keep), seen_height / std::max(1.0, height() * keep));
+  changeState({center, m_per_px, state_.rotation_rad});
+}
+
+void MapView::fitRect(const QRectF& area_m, double margin) {
+  stopAnimation();
+  fit_pending_ = false;
+  const double c = std::abs(std::cos(state_.rotation_rad));
+  const double s = std::abs(std::sin(state_.rotation_rad));
+  const QRectF area = area_m.normalized();
+  const double grow = 1.0 + 2.0 * margin;
+  const double seen_width = (area.width() * c + area.height() * s) * grow;
+  const double seen_height = (area.width() * s + area.height() * c) * grow;
+  const double m_per_px = std::max({seen_width / std::max(1, width()), seen_height / std::max(1, height()), 1e-9});
+  changeState({area.center(), m_per_px, state_.rotation_rad});
+}
+
+void MapView::showActualSize() {
+  if (!frame_) return;
+  stopAnimation();
+  fit_pending_ = false;
+  changeState({state_.center_m, frame_->resolution() * devicePixelRatioF(), state_.rotation_rad});
+}
+
+void MapView::zoomBy(double factor) {
+  zoomAt(QPointF(width() / 2.0, height() / 2.0), factor);
+}
+
+void MapView::zoomAt(const QPointF& widget_px, double factor) {
+  if (!(factor > 0.0) || !std::isfinite(factor)) return;
+  stopAnimation();
+  fit_pending_ = false;
+  const QPointF kept = metresFromWidget(widget_px);
+  ViewState next = state_;
+  next.m_per_px = clampedResolution(state_.m_per_px / factor);
+  next.center_m = kept + (state_.center_m - kept) * (next.m_per_px / state_.m_per_px);
+  changeState(next);
+}
+
+void MapView::setRotation(double rotation_rad) {
+  stopAnimation();
+  changeState({state_.center_m, state_.m_per_px, rotation_rad});
+}
+
+void MapView::rotateAt(const QPointF& widget_px, double angle_rad) {
+  stopAnimation();
+  fit_pending_ = false;
+  const QPointF kept = metresFromWidget(widget_px);
+  const QPointF arm = state_.center_m - kept;
+  const double c = std::cos(-angle_rad);
+  const double s = std::sin(-angle_rad);
+  const QPointF turned(c * arm.x() - s * arm.y(), s * arm.x() + c * arm.y());
+  changeState({kept + turned, state_.m_per_px, state_.rotation_rad + angle_rad});
+}
+
+void MapView::centerOn(const QPointF& point_m, bool animated) {
+  stopAnimation();
+  fit_pending_ = false;
+  if (!animated || !isVisible()) {
+    changeState({point_m, state_.m_per_px, state_.rotation_rad});
+    return;
+  }
+  animation_.setStartValue(state_.center_m);
+  animation_.setEndValue(point_m);
+  animation_.start();
+}
+
+void MapView::stopAnimation() {
+  if (animation_.state() != QAbstractAnimation::Stopped) animation_.stop();
+}
+
+bool MapView::isInView(const QPointF& point_m, double margin_px) const {
+  return QRectF(rect()).adjusted(margin_px, margin_px, -margin_px, -margin_px).contains(widgetFromMetres(point_m));
+}
+
+void MapView::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  updateTransform();
+  if (fit_pending_) fit();  // nobody has moved the view since: keep the whole raster in it
+  emit viewStateChanged();
+}
+
+QSize MapView::sizeHint() const {
+  return {520, 420};
+}
+QSize MapView::minimumSizeHint() const {
+  return {160, 120};
+}
+
+}  // namespace cad2slam

@@ -1,0 +1,139 @@
+// SPDX-FileCopyrightText: 2026 The CAD2SLAM authors
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <cmath>
+
+#include <QLocale>
+#include <QPaintEvent>
+#include <QPainterPath>
+
+#include "ui/views/map_decorations.h"
+#include "ui/views/map_view.h"
+
+namespace cad2slam {
+namespace {
+
+constexpr double kLoupeRadius_px = 78.0;
+constexpr double kLoupeZoom = 4.0;
+
+}  // namespace
+
+QColor MapView::backgroundColor() const {
+  return palette().color(QPalette::Mid);
+}
+
+void MapView::paintBase(QPainter& painter) {
+  raster_.paint(painter, widgetFromImage(), size(), backgroundColor());
+}
+
+void MapView::paintOnTop(QPainter&) {}
+
+void MapView::paintOverlays(QPainter& painter, const QTransform& widget_from_metres, double px_per_m) {
+  for (const PathGlyph& path : paths_) marker_painter_.paintPath(painter, path, widget_from_metres);
+  for (const ResidualVector& residual : residuals_) {
+    const QPointF from = widget_from_metres.map(residual.projected_m);
+    const QPointF to = widget_from_metres.map(residual.clicked_m);
+    marker_painter_.paintResidual(painter, from, from + (to - from) * residual_magnification_, residual.judged);
+  }
+  if (ghost_) {
+    marker_painter_.paintGhost(painter, widget_from_metres.map(ghost_->point_m), ghost_->radius_m * px_per_m,
+                               ghost_->text);
+  }
+  for (const PoseGlyph& pose : poses_) {
+    const double on_screen = -(pose.heading_rad + state_.rotation_rad);
+    const bool enlarged = pose.id != kNoMarker && (pose.id == hovered_ || pose.id == highlighted_);
+    marker_painter_.paintPose(painter, pose, widget_from_metres.map(pose.point_m), on_screen, pose.radius_m * px_per_m,
+                              enlarged);
+  }
+  if (markers_visible_) {
+    const QRectF seen = QRectF(rect()).adjusted(-80, -40, 40, 40);
+    const auto paint = [&](const Marker& marker) {
+      const QPointF at = widget_from_metres.map(marker.point_m);
+      if (!seen.contains(at)) return;
+      const bool enlarged = marker.id == hovered_ || marker.id == highlighted_;
+      marker_painter_.paintMarker(painter, marker, at, enlarged, marker_text_visible_);
+    };
+    for (const Marker& marker : markers_) {
+      if (!marker.selected) paint(marker);
+    }
+    for (const Marker& marker : markers_) {
+      if (marker.selected) paint(marker);
+    }
+  }
+  if (mirrored_cursor_m_) {
+    marker_painter_.paintMirroredCursor(painter, widget_from_metres.map(*mirrored_cursor_m_), mirrored_certain_);
+  }
+}
+
+void MapView::paintEvent(QPaintEvent*) {
+  QPainter painter(this);
+  const QSizeF view = size();
+  const bool has_image = raster_.source() != nullptr && frame_.has_value();
+  if (!has_image) {
+    painter.fillRect(rect(), palette().color(QPalette::Window));
+    decoration::paintEmpty(painter, view, empty_text_, palette(), drop_hover_);
+    if (hasFocus()) decoration::paintFocus(painter, view, palette().color(QPalette::Highlight));
+    return;
+  }
+
+  paintBase(painter);
+  mesh_.paint(painter, state_, size());
+  paintOverlays(painter, widget_from_metres_, 1.0 / state_.m_per_px);
+  const bool loupe = loupe_on_ || loupe_held_ || long_pressed_;
+  if (snap_m_ && cursor_) marker_painter_.paintSnap(painter, widgetFromMetres(*snap_m_));
+  if (cursor_ && (crosshair_ || loupe)) decoration::paintCrosshair(painter, view, *cursor_);
+
+  decoration::paintScaleBar(painter, view, state_.m_per_px);
+  decoration::paintCompass(painter, view, state_.rotation_rad, compass_hovered_ || gesture_ == Gesture::kTurnView);
+  paintOnTop(painter);
+  if (cursor_ && loupe) paintLoupe(painter);
+
+  if (!residuals_.empty() && residual_magnification_ != 1.0) {
+    const QString text =
+        tr("Residuals drawn %1 times as long").arg(QLocale().toString(residual_magnification_, 'g', 3));
+    decoration::paintChip(painter, QPointF(view.width() / 2.0, view.height() - 36.0), text, QColor(50, 54, 60, 215),
+                          view.width() * 0.5);
+  }
+  if (framed_) decoration::paintAttentionFrame(painter, view, decoration::attentionColor());
+  if (!chip_text_.isEmpty()) {
+    const QColor color = framed_ ? decoration::attentionColor() : QColor(50, 54, 60, 215);
+    decoration::paintChip(painter, QPointF(view.width() / 2.0, 10.0), chip_text_, color, view.width() - 110.0);
+  }
+  if (hasFocus() && !framed_) decoration::paintFocus(painter, view, palette().color(QPalette::Highlight));
+}
+
+void MapView::paintLoupe(QPainter& painter) {
+  const QPointF at = *cursor_;
+  const double side = 2.0 * kLoupeRadius_px;
+  const QPointF corner = at - QPointF(kLoupeRadius_px, kLoupeRadius_px);
+  // Enlarged about the cursor, then moved so that the cursor lies in the middle of the loupe.
+  const QTransform enlarged = QTransform::fromTranslate(-at.x(), -at.y()) *
+                              QTransform::fromScale(kLoupeZoom, kLoupeZoom) *
+                              QTransform::fromTranslate(kLoupeRadius_px, kLoupeRadius_px);
+  QPainterPath lens;
+  lens.addEllipse(at, kLoupeRadius_px, kLoupeRadius_px);
+  painter.save();
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.setClipPath(lens);
+  painter.translate(corner);
+  loupe_raster_.paint(painter, widgetFromImage() * enlarged, QSize(static_cast<int>(side), static_cast<int>(side)),
+                      backgroundColor());
+  if (markers_visible_) {
+    for (const Marker& marker : markers_) {
+      const QPointF place = enlarged.map(widgetFromMetres(marker.point_m));
+      if (QRectF(-20, -20, side + 40, side + 40).contains(place)) {
+        marker_painter_.paintMarker(painter, marker, place, false, marker_text_visible_);
+      }
+    }
+  }
+  if (snap_m_) marker_painter_.paintSnap(painter, enlarged.map(widgetFromMetres(*snap_m_)));
+  decoration::paintCrosshair(painter, QSizeF(side, side), QPointF(kLoupeRadius_px, kLoupeRadius_px));
+  painter.restore();
+  painter.save();
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.strokePath(lens, QPen(Qt::white, 5.0));
+  painter.strokePath(lens, QPen(QColor(40, 44, 50), 2.5));
+  painter.restore();
+}
+
+}  // namespace cad2slam

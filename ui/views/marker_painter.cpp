@@ -1,0 +1,304 @@
+// SPDX-FileCopyrightText: 2026 The CAD2SLAM authors
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/views/marker_painter.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <QFontMetricsF>
+#include <QPainterPath>
+
+namespace cad2slam {
+namespace {
+
+constexpr double kSpriteHalf_px = 26.0;
+constexpr double kHandleReach_px = 22.0;
+constexpr int kMostSprites = 4000;
+const QColor kDarkEdge(0, 0, 0, 190);
+const QColor kLightEdge(255, 255, 255, 235);
+
+QPainterPath shapeOf(MarkerClass judged, double size) {
+  QPainterPath path;
+  switch (judged) {
+    case MarkerClass::kLook: {
+      const double reach = size * 1.35;
+      path.moveTo(0, -reach);
+      path.lineTo(reach, 0);
+      path.lineTo(0, reach);
+      path.lineTo(-reach, 0);
+      path.closeSubpath();
+      break;
+    }
+    case MarkerClass::kBad:
+      path.addRect(QRectF(-size * 0.95, -size * 0.95, size * 1.9, size * 1.9));
+      break;
+    default:
+      path.addEllipse(QPointF(0, 0), size, size);
+  }
+  return path;
+}
+
+/// A line with a light and a dark edge around it.
+void strokeEdged(QPainter& painter, const QPainterPath& path, QPen pen) {
+  const double width = pen.widthF();
+  QPen edge(kDarkEdge, width + 3.6, Qt::SolidLine, pen.capStyle(), pen.joinStyle());
+  painter.strokePath(path, edge);
+  edge.setColor(kLightEdge);
+  edge.setWidthF(width + 2.2);
+  painter.strokePath(path, edge);
+  painter.strokePath(path, pen);
+}
+
+QPen solidPen(const QColor& color, double width) {
+  return QPen(color, width, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin);
+}
+
+void paintMarkerShape(QPainter& painter, const Marker& marker, bool enlarged) {
+  const double size = (marker.judged == MarkerClass::kPending ? 2.0 : 0.0) + (enlarged ? 10.0 : 7.5);
+  const QColor color = colorOf(marker.judged);
+  const QPainterPath shape = shapeOf(marker.judged, size);
+  const bool hollow = marker.judged == MarkerClass::kPending || marker.judged == MarkerClass::kDisabled;
+  if (marker.selected) {
+    strokeEdged(painter, shapeOf(marker.judged, size + 5.0), solidPen(color, 3.2));
+  }
+  QPen pen = solidPen(color, hollow ? 1.8 : 2.8);
+  if (marker.judged == MarkerClass::kPending) {
+    pen.setWidthF(2.4);
+    pen.setCapStyle(Qt::FlatCap);
+    pen.setDashPattern({2.2, 1.6});
+  }
+  strokeEdged(painter, shape, pen);
+  QPainterPath dot;
+  dot.addEllipse(QPointF(0, 0), 1.3, 1.3);
+  painter.strokePath(dot, QPen(kLightEdge, 2.4));
+  painter.fillPath(dot, hollow ? QColor(40, 40, 40) : color.darker(130));
+  if (marker.snapped) {
+    QPainterPath tick;
+    const double from = size + 2.0;
+    tick.moveTo(from + 5.0, from - 1.0);
+    tick.lineTo(from + 5.0, from + 5.0);
+    tick.lineTo(from - 1.0, from + 5.0);
+    QPen tick_pen = solidPen(color, 2.0);
+    tick_pen.setCapStyle(Qt::SquareCap);
+    strokeEdged(painter, tick, tick_pen);
+  }
+}
+
+QString keyOf(double ratio) {
+  return QString::number(qRound(ratio * 100));
+}
+
+}  // namespace
+
+QColor colorOf(MarkerClass judged) {
+  switch (judged) {
+    case MarkerClass::kOk:
+      return QColor(0x00, 0x8b, 0x7e);
+    case MarkerClass::kLook:
+      return QColor(0xf2, 0x9a, 0x00);
+    case MarkerClass::kBad:
+      return QColor(0xd8, 0x1b, 0x8c);
+    case MarkerClass::kDisabled:
+      return QColor(0x70, 0x70, 0x70);
+    case MarkerClass::kPlain:
+    case MarkerClass::kPending:
+      break;
+  }
+  return QColor(0x1e, 0x66, 0xd0);
+}
+
+const QPixmap& MarkerPainter::markerSprite(const Marker& marker, bool enlarged, double ratio) {
+  const QString key = QStringLiteral("m%1%2%3%4_")
+                          .arg(static_cast<int>(marker.judged))
+                          .arg(marker.selected)
+                          .arg(marker.snapped)
+                          .arg(enlarged) +
+                      keyOf(ratio);
+  auto found = sprites_.find(key);
+  if (found == sprites_.end()) {
+    const int side = static_cast<int>(std::ceil(2.0 * kSpriteHalf_px * ratio));
+    QPixmap sprite(side, side);
+    sprite.setDevicePixelRatio(ratio);
+    sprite.fill(Qt::transparent);
+    QPainter painter(&sprite);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.translate(kSpriteHalf_px, kSpriteHalf_px);
+    paintMarkerShape(painter, marker, enlarged);
+    painter.end();
+    found = sprites_.insert(key, sprite);
+  }
+  return *found;
+}
+
+const QPixmap& MarkerPainter::textSprite(const QString& text, const QColor& color, const QFont& font, double ratio) {
+  const QString key = QStringLiteral("t%1%2_").arg(color.name(), keyOf(ratio)) + font.key() + text;
+  auto found = sprites_.find(key);
+  if (found == sprites_.end()) {
+    if (sprites_.size() > kMostSprites) sprites_.clear();
+    const QFontMetricsF metrics(font);
+    const QSizeF size(metrics.horizontalAdvance(text) + 8.0, metrics.height() + 6.0);
+    QPixmap sprite((size * ratio).toSize());
+    sprite.setDevicePixelRatio(ratio);
+    sprite.fill(Qt::transparent);
+    QPainter painter(&sprite);
+    painter.setRenderHint(QPainter::Antialiasing);
+    QPainterPath path;
+    path.addText(QPointF(4.0, 3.0 + metrics.ascent()), font, text);
+    painter.strokePath(path, QPen(kDarkEdge, 4.2, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+    painter.strokePath(path, QPen(QColor(255, 255, 255), 3.2, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+    painter.fillPath(path, color.darker(145));
+    painter.end();
+    found = sprites_.insert(key, sprite);
+  }
+  return *found;
+}
+
+void MarkerPainter::paintText(QPainter& painter, const QPointF& at, const QString& text, const QColor& color) {
+  if (text.isEmpty()) return;
+  QFont font = painter.font();
+  font.setBold(true);
+  const QPixmap& sprite = textSprite(text, color, font, painter.device()->devicePixelRatioF());
+  painter.drawPixmap(at - QPointF(4.0, sprite.height() / sprite.devicePixelRatio() / 2.0), sprite);
+}
+
+void MarkerPainter::paintMarker(QPainter& painter, const Marker& marker, const QPointF& at, bool enlarged,
+                                bool with_text) {
+  const QPixmap& sprite = markerSprite(marker, enlarged, painter.device()->devicePixelRatioF());
+  painter.drawPixmap(at - QPointF(kSpriteHalf_px, kSpriteHalf_px), sprite);
+  if (!with_text) return;
+  const double reach = (enlarged ? 13.0 : 10.0) + (marker.selected ? 5.0 : 0.0);
+  paintText(painter, at + QPointF(reach, -reach + 2.0), marker.text, colorOf(marker.judged));
+}
+
+void MarkerPainter::paintGhost(QPainter& painter, const QPointF& at, double radius_px, const QString& text) {
+  const QColor color = colorOf(MarkerClass::kPending);
+  painter.save();
+  painter.setRenderHint(QPainter::Antialiasing);
+  if (radius_px > 4.0) {
+    QPainterPath ring;
+    ring.addEllipse(at, radius_px, radius_px);
+    QColor fill = color;
+    fill.setAlpha(28);
+    painter.fillPath(ring, fill);
+    QPen pen = solidPen(color, 1.4);
+    pen.setDashPattern({5.0, 4.0});
+    strokeEdged(painter, ring, pen);
+  }
+  painter.setOpacity(0.75);
+  QPainterPath cross;
+  for (const QPointF& direction : {QPointF(1, 0), QPointF(-1, 0), QPointF(0, 1), QPointF(0, -1)}) {
+    cross.moveTo(at + direction * 4.0);
+    cross.lineTo(at + direction * 11.0);
+  }
+  cross.addEllipse(at, 7.0, 7.0);
+  strokeEdged(painter, cross, solidPen(color, 1.8));
+  painter.restore();
+  paintText(painter, at + QPointF(12.0, -11.0), text, color);
+}
+
+void MarkerPainter::paintResidual(QPainter& painter, const QPointF& from, const QPointF& to, MarkerClass judged) {
+  const QPointF way = to - from;
+  const double length = std::hypot(way.x(), way.y());
+  if (!(length > 1.0)) return;
+  const QPointF along = way / length;
+  const QPointF across(-along.y(), along.x());
+  const double head = std::min(8.0, length * 0.5);
+  QPainterPath path;
+  path.moveTo(from);
+  path.lineTo(to);
+  path.moveTo(to - along * head + across * head * 0.5);
+  path.lineTo(to);
+  path.lineTo(to - along * head - across * head * 0.5);
+  painter.save();
+  painter.setRenderHint(QPainter::Antialiasing);
+  strokeEdged(painter, path, solidPen(colorOf(judged), 1.8));
+  painter.restore();
+}
+
+double MarkerPainter::poseRadius(double radius_px) {
+  return std::max(7.0, radius_px);
+}
+
+QPointF MarkerPainter::turnHandle(double radius_px, double heading_on_screen_rad) {
+  const double reach = poseRadius(radius_px) + kHandleReach_px;
+  return {reach * std::cos(heading_on_screen_rad), reach * std::sin(heading_on_screen_rad)};
+}
+
+void MarkerPainter::paintPose(QPainter& painter, const PoseGlyph& pose, const QPointF& at, double heading_on_screen_rad,
+                              double radius_px, bool enlarged) {
+  const double radius = poseRadius(radius_px);
+  painter.save();
+  painter.setRenderHint(QPainter::Antialiasing);
+  QPainterPath body;
+  body.addEllipse(at, radius, radius);
+  QColor fill = pose.color;
+  fill.setAlpha(pose.hollow ? 30 : 90);
+  painter.fillPath(body, fill);
+  QPen pen = solidPen(pose.color, enlarged ? 3.4 : 2.2);
+  if (pose.hollow) pen.setDashPattern({2.0, 2.0});
+  strokeEdged(painter, body, pen);
+
+  const QPointF along(std::cos(heading_on_screen_rad), std::sin(heading_on_screen_rad));
+  const QPointF across(-along.y(), along.x());
+  const double nose = pose.turnable ? radius + kHandleReach_px - 5.0 : radius + 7.0;
+  QPainterPath arrow;
+  arrow.moveTo(at);
+  arrow.lineTo(at + along * nose);
+  if (!pose.turnable) {
+    arrow.moveTo(at + along * (nose - 6.0) + across * 4.0);
+    arrow.lineTo(at + along * nose);
+    arrow.lineTo(at + along * (nose - 6.0) - across * 4.0);
+  }
+  strokeEdged(painter, arrow, solidPen(pose.color, 2.2));
+  if (pose.turnable) {
+    QPainterPath handle;
+    handle.addEllipse(at + along * (radius + kHandleReach_px), 5.0, 5.0);
+    strokeEdged(painter, handle, solidPen(pose.color, 2.2));
+    painter.fillPath(handle, Qt::white);
+  }
+  painter.restore();
+  // On the side that the heading leaves free.
+  const double below = std::sin(heading_on_screen_rad) > 0.0 ? -1.0 : 1.0;
+  paintText(painter, at + QPointF(-radius, below * (radius + 13.0)), pose.text, pose.color);
+}
+
+void MarkerPainter::paintPath(QPainter& painter, const PathGlyph& path, const QTransform& widget_from_metres) {
+  if (path.points_m.size() < 2) return;
+  QPainterPath line;
+  line.moveTo(widget_from_metres.map(path.points_m.front()));
+  for (std::size_t i = 1; i < path.points_m.size(); ++i) line.lineTo(widget_from_metres.map(path.points_m[i]));
+  painter.save();
+  painter.setRenderHint(QPainter::Antialiasing);
+  QPen pen = solidPen(path.color, path.width_px);
+  if (path.dashed) pen.setDashPattern({3.0, 2.5});
+  strokeEdged(painter, line, pen);
+  painter.restore();
+  paintText(painter, widget_from_metres.map(path.points_m.back()) + QPointF(8.0, -10.0), path.text, path.color);
+}
+
+void MarkerPainter::paintMirroredCursor(QPainter& painter, const QPointF& at, bool certain) {
+  painter.save();
+  painter.setRenderHint(QPainter::Antialiasing);
+  QPainterPath cross;
+  for (const QPointF& direction : {QPointF(1, 0), QPointF(-1, 0), QPointF(0, 1), QPointF(0, -1)}) {
+    cross.moveTo(at + direction * 3.0);
+    cross.lineTo(at + direction * 12.0);
+  }
+  QPen pen = solidPen(QColor(0xe6, 0x4a, 0x19), 1.8);
+  if (!certain) pen.setDashPattern({1.2, 1.8});
+  strokeEdged(painter, cross, pen);
+  painter.restore();
+}
+
+void MarkerPainter::paintSnap(QPainter& painter, const QPointF& at) {
+  painter.save();
+  painter.setRenderHint(QPainter::Antialiasing);
+  QPainterPath square;
+  square.addRect(QRectF(at - QPointF(6, 6), QSizeF(12, 12)));
+  QPen pen = solidPen(QColor(0x7b, 0x1f, 0xa2), 2.0);
+  pen.setJoinStyle(Qt::MiterJoin);
+  strokeEdged(painter, square, pen);
+  painter.restore();
+}
+
+}  // namespace cad2slam

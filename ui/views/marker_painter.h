@@ -1,0 +1,44 @@
+// SPDX-FileCopyrightText: 2026 The CAD2SLAM authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QFont>
+#include <QHash>
+#include <QPainter>
+#include <QPixmap>
+
+#include "ui/views/marker.h"
+
+namespace cad2slam {
+
+/// Colour of a class; the shape differs as well.
+[[nodiscard]] QColor colorOf(MarkerClass judged);
+
+/// Draws what lies on a map at places given in logical pixels of a view. Everything has a white and a dark edge, so
+/// that it can be read on any raster. Markers are kept as sprites: hundreds cost little.
+class MarkerPainter {
+ public:
+  void paintMarker(QPainter& painter, const Marker& marker, const QPointF& at, bool enlarged, bool with_text);
+  void paintGhost(QPainter& painter, const QPointF& at, double radius_px, const QString& text);
+  void paintResidual(QPainter& painter, const QPointF& from, const QPointF& to, MarkerClass judged);
+  void paintPose(QPainter& painter, const PoseGlyph& pose, const QPointF& at, double heading_on_screen_rad,
+                 double radius_px, bool enlarged);
+  void paintPath(QPainter& painter, const PathGlyph& path, const QTransform& widget_from_metres);
+  void paintMirroredCursor(QPainter& painter, const QPointF& at, bool certain);
+  void paintSnap(QPainter& painter, const QPointF& at);
+  /// Text with an edge; `at` is the left end of its middle line.
+  void paintText(QPainter& painter, const QPointF& at, const QString& text, const QColor& color);
+
+  /// Of the circle a pose is drawn with, pixels.
+  [[nodiscard]] static double poseRadius(double radius_px);
+  /// Where the handle that turns a pose lies, relative to the pose; pixels, heading on screen (y down, clockwise).
+  [[nodiscard]] static QPointF turnHandle(double radius_px, double heading_on_screen_rad);
+
+ private:
+  const QPixmap& markerSprite(const Marker& marker, bool enlarged, double ratio);
+  const QPixmap& textSprite(const QString& text, const QColor& color, const QFont& font, double ratio);
+
+  QHash<QString, QPixmap> sprites_;
+};
+
+}  // namespace cad2slam

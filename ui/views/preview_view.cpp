@@ -1,0 +1,446 @@
+// SPDX-FileCopyrightText: 2026 The CAD2SLAM authors
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/views/preview_view.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <QFontMetricsF>
+#include <QKeyEvent>
+#include <QLocale>
+#include <QMouseEvent>
+#include <QPainterPath>
+
+#include "cad2slam/geometry/angle.h"
+#include "ui/views/map_decorations.h"
+
+namespace cad2slam {
+namespace {
+
+constexpr int kBlink_ms = 300;
+constexpr double kBarReach_px = 8.0;
+constexpr double kLensRadius_px = 95.0;
+constexpr double kFaint = 0.35;
+constexpr double kHeatOpacity = 0.65;
+const QColor kBanner(0xb2, 0x5d, 0x00);
+
+bool isHeat(PreviewMode mode) {
+  return mode == PreviewMode::kStretch || mode == PreviewMode::kRotation;
+}
+
+}  // namespace
+
+PreviewView::PreviewView(QWidget* parent) : MapView(parent) {
+  setAccessibleName(tr("Preview"));
+  setSnapping(false);
+  setLocked(true);
+  blink_timer_.setInterval(kBlink_ms);
+  connect(&blink_timer_, &QTimer::timeout, this, [this] {
+    blink_shows_other_ = !blink_shows_other_;
+    update();
+  });
+  connect(this, &MapView::viewStateChanged, this, [this] {
+    if (!isCovered()) emit pictureWanted();
+  });
+}
+
+void PreviewView::setMode(PreviewMode mode) {
+  if (mode_ == mode) return;
+  const bool other_kind =
+      previewKind(mode) != previewKind(mode_) || (mode == PreviewMode::kAllMaps) != (mode_ == PreviewMode::kAllMaps);
+  mode_ = mode;
+  if (other_kind) picture_ = {};
+  update();
+  emit pictureWanted();
+}
+
+void PreviewView::setOpacity(double opacity) {
+  const double clamped = std::clamp(opacity, 0.0, 1.0);
+  if (clamped == opacity_) return;
+  opacity_ = clamped;
+  update();
+  emit opacityChanged(opacity_);
+}
+
+void PreviewView::setAutoBlink(bool on) {
+  if (on) {
+    blink_timer_.start();
+  } else {
+    blink_timer_.stop();
+    blink_shows_other_ = false;
+  }
+  update();
+}
+
+void PreviewView::setBlinkHeld(bool held) {
+  if (blink_held_ == held) return;
+  blink_held_ = held;
+  update();
+}
+
+void PreviewView::setSwipe(double part) {
+  const double clamped = std::clamp(part, 0.0, 1.0);
+  if (clamped == swipe_) return;
+  swipe_ = clamped;
+  update();
+  emit swipeChanged(swipe_);
+}
+
+void PreviewView::setPicture(const PreviewPicture& picture) {
+  if (picture.kind != previewKind(mode_)) return;  // of the mode before
+  picture_ = picture;
+  update();
+}
+void PreviewView::clearPicture() {
+  picture_ = {};
+  update();
+}
+void PreviewView::setInks(std::vector<InkEntry> inks) {
+  inks_ = std::move(inks);
+  update();
+}
+void PreviewView::setFullColorStrain(double strain) {
+  full_color_strain_ = strain;
+  update();
+}
+void PreviewView::setReason(const QString& reason) {
+  if (reason_ == reason) return;
+  reason_ = reason;
+  update();
+}
+void PreviewView::setNotCurrent(const QString& reason) {
+  if (not_current_ == reason) return;
+  not_current_ = reason;
+  update();
+}
+
+bool PreviewView::isCovered() const {
+  const ViewState state = viewState();
+  if (picture_.image.isNull() || picture_.state.m_per_px != state.m_per_px ||
+      picture_.state.rotation_rad != state.rotation_rad ||
+      picture_.image.width() < std::lround(picture_.size.width() * devicePixelRatioF())) {
+    return false;
+  }
+  const QPointF shift = picture_.state.widgetFromMetres(picture_.size).map(state.center_m) -
+                        QPointF(picture_.size.width() / 2.0, picture_.size.height() / 2.0);
+  return std::abs(shift.x()) <= (picture_.size.width() - width()) / 2.0 &&
+         std::abs(shift.y()) <= (picture_.size.height() - height()) / 2.0;
+}
+
+void PreviewView::paintPicture(QPainter& painter, double opacity) {
+  if (picture_.image.isNull() || !reason_.isEmpty()) return;
+  const QTransform now = viewState().widgetFromMetres(size());
+  const QTransform then = picture_.state.widgetFromMetres(picture_.size);
+  const double ratio = static_cast<double>(picture_.image.width()) / std::max(1, picture_.size.width());
+  painter.save();
+  painter.setOpacity(opacity);
+  const QTransform moved = then.inverted() * now;
+  // A picture of lower resolution stands in until the sharp one is there: smooth it.
+  const bool exact = moved.type() <= QTransform::TxTranslate && ratio >= devicePixelRatioF() * 0.99;
+  painter.setRenderHint(QPainter::SmoothPixmapTransform, !exact);
+  painter.setTransform(moved, true);
+  painter.scale(1.0 / ratio, 1.0 / ratio);
+  painter.drawImage(QPointF(0, 0), picture_.image);
+  painter.restore();
+}
+
+void PreviewView::paintBase(QPainter& painter) {
+  MapView::paintBase(painter);
+  if (mode_ == PreviewMode::kBlink) {
+    if (blink_held_ || blink_shows_other_) paintPicture(painter, 1.0);
+    return;
+  }
+  if (blink_held_) return;
+  switch (mode_) {
+    case PreviewMode::kOverlay:
+      paintPicture(painter, opacity_);
+      break;
+    case PreviewMode::kTwoInk:
+    case PreviewMode::kAllMaps:
+      paintPicture(painter, 1.0);
+      break;
+    case PreviewMode::kSwipe: {
+      const double x = swipe_ * width();
+      painter.save();
+      painter.setClipRect(QRectF(x, 0.0, width() - x, height()));
+      paintPicture(painter, 1.0);
+      painter.restore();
+      break;
+    }
+    case PreviewMode::kLens:
+      if (lens_) {
+        QPainterPath lens;
+        lens.addEllipse(*lens_, kLensRadius_px, kLensRadius_px);
+        painter.save();
+        painter.setClipPath(lens);
+        painter.fillPath(lens, Qt::white);
+        paintPicture(painter, 1.0);
+        painter.restore();
+      }
+      break;
+    case PreviewMode::kMesh:
+    case PreviewMode::kResiduals:
+      paintPicture(painter, std::min(opacity_, kFaint));
+      break;
+    case PreviewMode::kStretch:
+    case PreviewMode::kRotation:
+      paintPicture(painter, kHeatOpacity);
+      break;
+    case PreviewMode::kBlink:
+      break;
+  }
+}
+
+void PreviewView::paintOnTop(QPainter& painter) {
+  if (mode_ == PreviewMode::kSwipe && reason_.isEmpty()) {
+    const double x = swipe_ * width();
+    painter.save();
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(QPen(Qt::white, 5.0));
+    painter.drawLine(QPointF(x, 0), QPointF(x, height()));
+    painter.setPen(QPen(decoration::attentionColor(), 2.5));
+    painter.drawLine(QPointF(x, 0), QPointF(x, height()));
+    const QPointF grip(x, height() / 2.0);
+    painter.setBrush(Qt::white);
+    painter.drawEllipse(grip, 13.0, 13.0);
+    for (const double side : {-1.0, 1.0}) {
+      const QPointF tip = grip + QPointF(side * 8.0, 0.0);
+      painter.drawLine(tip, tip + QPointF(-side * 4.0, -4.0));
+      painter.drawLine(tip, tip + QPointF(-side * 4.0, 4.0));
+    }
+    painter.restore();
+  }
+  if (mode_ == PreviewMode::kLens && lens_) {
+    painter.save();
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setBrush(Qt::NoBrush);
+    painter.setPen(QPen(Qt::white, 5.0));
+    painter.drawEllipse(*lens_, kLensRadius_px, kLensRadius_px);
+    painter.setPen(QPen(decoration::attentionColor(), 2.5));
+    painter.drawEllipse(*lens_, kLensRadius_px, kLensRadius_px);
+    painter.restore();
+  }
+  if (!reason_.isEmpty()) {
+    decoration::paintChip(painter, QPointF(width() / 2.0, 10.0), reason_, QColor(50, 54, 60, 225), width() - 110.0);
+    return;
+  }
+  if (!not_current_.isEmpty()) {
+    decoration::paintChip(painter, QPointF(width() / 2.0, 10.0), not_current_, kBanner, width() - 110.0);
+  }
+  paintLegend(painter);
+}
+
+QString PreviewView::legendTitle() const {
+  switch (mode_) {
+    case PreviewMode::kOverlay:
+      return tr("Overlay, %1 %").arg(std::lround(opacity_ * 100.0));
+    case PreviewMode::kTwoInk:
+      return tr("Two inks");
+    case PreviewMode::kSwipe:
+      return tr("Swipe");
+    case PreviewMode::kBlink:
+      return tr("Blink");
+    case PreviewMode::kLens:
+      return tr("Lens");
+    case PreviewMode::kMesh:
+      return tr("Mesh: length against rest");
+    case PreviewMode::kResiduals:
+      return tr("Residuals: projected to clicked place");
+    case PreviewMode::kStretch:
+      return tr("Local scale against the mean");
+    case PreviewMode::kRotation:
+      return tr("Local turn against the mean");
+    case PreviewMode::kAllMaps:
+      return tr("All SLAM maps");
+  }
+  return {};
+}
+
+QString PreviewView::legendHint() const {
+  switch (mode_) {
+    case PreviewMode::kOverlay:
+      return tr("[ and ] change it, hold B to hide it");
+    case PreviewMode::kSwipe:
+      return tr("Drag the bar");
+    case PreviewMode::kBlink:
+      return tr("Hold B for the other map");
+    case PreviewMode::kTwoInk:
+      return tr("Dark: both agree");
+    default:
+      return {};
+  }
+}
+
+std::vector<PreviewView::LegendRow> PreviewView::legendRows() const {
+  std::vector<LegendRow> rows;
+  const auto nameOf = [this](std::size_t i) { return i < inks_.size() ? inks_[i].name : QString(); };
+  switch (mode_) {
+    case PreviewMode::kTwoInk:
+    case PreviewMode::kAllMaps:
+      for (const InkEntry& ink : inks_) rows.push_back({ink.color, ink.name});
+      break;
+    case PreviewMode::kSwipe:
+      rows.push_back({QColor(), tr("left: %1").arg(nameOf(0))});
+      rows.push_back({QColor(), tr("right: %1").arg(nameOf(1))});
+      break;
+    case PreviewMode::kLens:
+      rows.push_back({QColor(), tr("around: %1").arg(nameOf(0))});
+      rows.push_back({QColor(), tr("in the lens: %1").arg(nameOf(1))});
+      break;
+    case PreviewMode::kBlink:
+      rows.push_back({QColor(), blink_held_ || blink_shows_other_ ? nameOf(1) : nameOf(0)});
+      break;
+    case PreviewMode::kOverlay:
+      rows.push_back({QColor(), tr("%1 over %2").arg(nameOf(1), nameOf(0))});
+      break;
+    case PreviewMode::kMesh:
+      rows.push_back({QColor(0xff, 0xeb, 0x3b), tr("crosses: the mesh folds")});
+      break;
+    case PreviewMode::kResiduals:
+      rows.push_back({colorOf(MarkerClass::kOk), tr("good")});
+      rows.push_back({colorOf(MarkerClass::kLook), tr("worth a look")});
+      rows.push_back({colorOf(MarkerClass::kBad), tr("probably wrong")});
+      break;
+    case PreviewMode::kStretch:
+    case PreviewMode::kRotation:
+      rows.push_back({QColor(0, 0, 0), tr("black: the mesh folds")});
+      break;
+  }
+  return rows;
+}
+
+void PreviewView::paintLegend(QPainter& painter) {
+  const QString title = legendTitle();
+  const QString hint = legendHint();
+  const std::vector<LegendRow> rows = legendRows();
+  const bool ramp = isHeat(mode_) || mode_ == PreviewMode::kMesh;
+  painter.save();
+  painter.setRenderHint(QPainter::Antialiasing);
+  QFont bold = painter.font();
+  bold.setBold(true);
+  const QFontMetricsF metrics(painter.font());
+  const QFontMetricsF bold_metrics(bold);
+  const double line = metrics.height() + 3.0;
+  constexpr double kSwatch = 18.0;
+  double text_width = std::max(bold_metrics.horizontalAdvance(title), metrics.horizontalAdvance(hint));
+  for (const LegendRow& row : rows) {
+    text_width = std::max(text_width, metrics.horizontalAdvance(row.text) + (row.color.isValid() ? kSwatch : 0.0));
+  }
+  if (ramp) text_width = std::max(text_width, 170.0);
+  const double box_width = std::min(text_width + 18.0, width() - 16.0);
+  const double box_height =
+      line * (1.0 + static_cast<double>(rows.size()) + (hint.isEmpty() ? 0.0 : 1.0) + (ramp ? 2.0 : 0.0)) + 10.0;
+  const QRectF box(width() - box_width - 8.0, height() - box_height - 8.0, box_width, box_height);
+  QPainterPath panel;
+  panel.addRoundedRect(box, 5.0, 5.0);
+  painter.fillPath(panel, QColor(255, 255, 255, 228));
+  painter.strokePath(panel, QPen(QColor(0, 0, 0, 70), 1.0));
+
+  const QColor ink(25, 28, 32);
+  double y = box.top() + 5.0;
+  const auto writeLine = [&](double indent, const QString& text, const QFont& font, const QColor& color) {
+    painter.setFont(font);
+    painter.setPen(color);
+    const QRectF place(box.left() + 9.0 + indent, y, box.width() - 18.0 - indent, line);
+    const QString shown = QFontMetricsF(font).elidedText(text, Qt::ElideRight, place.width() + 1.0);
+    painter.drawText(place, Qt::AlignLeft | Qt::AlignVCenter, shown);
+  };
+  const QFont plain = painter.font();
+  writeLine(0.0, title, bold, ink);
+  y += line;
+  if (ramp) {
+    const QRectF bar(box.left() + 9.0, y + 2.0, box.width() - 18.0, line - 5.0);
+    QLinearGradient gradient(bar.topLeft(), bar.topRight());
+    for (int i = 0; i <= 10; ++i) gradient.setColorAt(i / 10.0, strainColor(i / 5.0 - 1.0, 1.0));
+    painter.fillRect(bar, gradient);
+    y += line;
+    const QLocale locale;
+    const bool turn = mode_ == PreviewMode::kRotation;
+    const double full =
+        mode_ == PreviewMode::kMesh ? full_color_strain_ * 100.0 : picture_.full_color * (turn ? 180.0 / kPi : 100.0);
+    const QString unit = turn ? tr("\u00b0", "degrees") : tr(" %", "per cent");
+    const QString number = locale.toString(full, 'g', 2) + unit;
+    painter.setFont(plain);
+    painter.setPen(ink);
+    const QRectF labels(bar.left(), y, bar.width(), line);
+    painter.drawText(labels, Qt::AlignLeft | Qt::AlignVCenter, QStringLiteral("\u2212") + number);
+    painter.drawText(labels, Qt::AlignHCenter | Qt::AlignVCenter, QStringLiteral("0"));
+    painter.drawText(labels, Qt::AlignRight | Qt::AlignVCenter, QStringLiteral("+") + number);
+    y += line;
+  }
+  for (const LegendRow& row : rows) {
+    double indent = 0.0;
+    if (row.color.isValid()) {
+      const QRectF swatch(box.left() + 9.0, y + 3.0, 12.0, line - 7.0);
+      painter.fillRect(swatch, row.color);
+      painter.setPen(QPen(QColor(0, 0, 0, 120), 1.0));
+      painter.setBrush(Qt::NoBrush);
+      painter.drawRect(swatch);
+      indent = kSwatch;
+    }
+    writeLine(indent, row.text, plain, ink);
+    y += line;
+  }
+  if (!hint.isEmpty()) writeLine(0.0, hint, plain, QColor(90, 96, 104));
+  painter.restore();
+}
+
+bool PreviewView::isNearBar(const QPointF& at) const {
+  return mode_ == PreviewMode::kSwipe && reason_.isEmpty() && std::abs(at.x() - swipe_ * width()) <= kBarReach_px;
+}
+
+void PreviewView::mousePressEvent(QMouseEvent* event) {
+  if (event->button() == Qt::LeftButton && isNearBar(event->position())) {
+    dragging_bar_ = true;
+    return;
+  }
+  MapView::mousePressEvent(event);
+}
+
+void PreviewView::mouseMoveEvent(QMouseEvent* event) {
+  if (dragging_bar_) {
+    setSwipe(event->position().x() / std::max(1, width()));
+    return;
+  }
+  lens_ = event->position();
+  if (mode_ == PreviewMode::kLens) update();
+  MapView::mouseMoveEvent(event);
+  if (event->buttons() == Qt::NoButton && isNearBar(event->position())) setCursor(Qt::SplitHCursor);
+}
+
+void PreviewView::mouseReleaseEvent(QMouseEvent* event) {
+  if (dragging_bar_) {
+    dragging_bar_ = false;
+    return;
+  }
+  MapView::mouseReleaseEvent(event);
+}
+
+void PreviewView::leaveEvent(QEvent* event) {
+  lens_.reset();
+  MapView::leaveEvent(event);
+}
+
+void PreviewView::keyPressEvent(QKeyEvent* event) {
+  if (event->modifiers() == Qt::NoModifier) {
+    if (event->key() == Qt::Key_B) {
+      if (!event->isAutoRepeat()) setBlinkHeld(true);
+      return;
+    }
+    if (mode_ == PreviewMode::kSwipe && (event->key() == Qt::Key_Left || event->key() == Qt::Key_Right)) {
+      setSwipe(swipe_ + (event->key() == Qt::Key_Right ? 0.02 : -0.02));
+      return;
+    }
+  }
+  MapView::keyPressEvent(event);
+}
+
+void PreviewView::keyReleaseEvent(QKeyEvent* event) {
+  if (event->key() == Qt::Key_B && !event->isAutoRepeat()) {
+    setBlinkHeld(false);
+    return;
+  }
+  MapView::keyReleaseEvent(event);
+}
+
+}  // namespace cad2slam
