@@ -14,6 +14,7 @@
 #include <cerrno>
 #include <csignal>
 #include <cstring>
+#include <iterator>
 #include <list>
 #include <utility>
 #include <vector>
@@ -112,6 +113,8 @@ bool writeAll(int descriptor, std::string& out) {
 }
 
 struct Connection {
+  Connection(Descriptor connected, LineStream stream) : descriptor(std::move(connected)), lines(std::move(stream)) {}
+
   Descriptor descriptor;
   LineStream lines;
   std::string out;  // not yet sent, from `sent` on
@@ -134,7 +137,7 @@ class SocketServer {
     while (true) {
       std::vector<pollfd> waiting = {{signals_.get(), POLLIN, 0}, {listener_.get(), POLLIN, 0}};
       for (const Connection& connection : connections_)
-        waiting.push_back({connection.descriptor.get(), wants(connection), 0});
+        waiting.push_back({connection.descriptor.get(), static_cast<short>(wants(connection)), 0});
       if (::poll(waiting.data(), waiting.size(), -1) < 0) {
         if (errno == EINTR) continue;
         return;
@@ -150,15 +153,15 @@ class SocketServer {
   }
 
  private:
-  [[nodiscard]] short wants(const Connection& connection) const {
-    short events = 0;
+  [[nodiscard]] int wants(const Connection& connection) const {
+    int events = 0;
     if (!connection.closing && connection.backlog() < limits_.largest_backlog) events |= POLLIN;
     if (connection.backlog() > 0) events |= POLLOUT;
     return events;
   }
 
   /// One read and one write: connections take turns. False when it is over.
-  [[nodiscard]] bool serve(Connection& connection, short events) {
+  [[nodiscard]] bool serve(Connection& connection, int events) {
     if ((events & (POLLIN | POLLHUP | POLLERR)) != 0 && (wants(connection) & POLLIN) != 0) {
       const ssize_t count = readSome(connection.descriptor.get(), buffer_);
       if (count < 0 && errno != EAGAIN) return false;
@@ -190,7 +193,7 @@ class SocketServer {
   void acceptOne() {
     Descriptor descriptor(::accept4(listener_.get(), nullptr, nullptr, SOCK_NONBLOCK | SOCK_CLOEXEC));
     if (descriptor.get() < 0 || connections_.size() >= limits_.most_connections) return;
-    connections_.push_back({std::move(descriptor), LineStream(handler_, limits_), {}});
+    connections_.emplace_back(std::move(descriptor), LineStream(handler_, limits_));
   }
 
   const LineHandler& handler_;
