@@ -148,7 +148,7 @@ class SocketServer {
         const bool alive = waiting[k].revents == 0 || serve(*connection, waiting[k].revents);
         connection = alive ? std::next(connection) : connections_.erase(connection);
       }
-      if (waiting[1].revents != 0) acceptOne();
+      if (waiting[1].revents != 0) acceptAll();
     }
   }
 
@@ -190,10 +190,15 @@ class SocketServer {
     return true;
   }
 
-  void acceptOne() {
-    Descriptor descriptor(::accept4(listener_.get(), nullptr, nullptr, SOCK_NONBLOCK | SOCK_CLOEXEC));
-    if (descriptor.get() < 0 || connections_.size() >= limits_.most_connections) return;
-    connections_.emplace_back(std::move(descriptor), LineStream(handler_, limits_));
+  /// Whoever comes when the house is full finds the door closed again.
+  void acceptAll() {
+    while (true) {
+      Descriptor descriptor(::accept4(listener_.get(), nullptr, nullptr, SOCK_NONBLOCK | SOCK_CLOEXEC));
+      if (descriptor.get() < 0) return;
+      if (connections_.size() < limits_.most_connections) {
+        connections_.emplace_back(std::move(descriptor), LineStream(handler_, limits_));
+      }
+    }
   }
 
   const LineHandler& handler_;
@@ -247,7 +252,8 @@ Result<void> serveStandardInput(const LineHandler& handler, const LineLimits& li
   }
 }
 
-Result<void> serveUnixSocket(const std::string& path, const LineHandler& handler, const LineLimits& limits) {
+Result<void> serveUnixSocket(const std::string& path, const LineHandler& handler, const LineLimits& limits,
+                             const std::function<void()>& ready) {
   const Result<sockaddr_un> address = addressOf(path);
   if (!address) return failAs(address);
   if (Result<void> room = makeRoom(path, *address); !room) return room;
@@ -263,9 +269,10 @@ Result<void> serveUnixSocket(const std::string& path, const LineHandler& handler
   const int reason = errno;
   ::umask(mask);
   errno = reason;
-  if (bound != 0 || ::listen(listener.get(), 64) != 0) {
+  if (bound != 0 || ::listen(listener.get(), SOMAXCONN) != 0) {
     return systemError(ErrorCode::kUnwritable, "the socket cannot be made", path);
   }
+  ready();
   SocketServer(handler, limits, std::move(listener), std::move(signals)).run();
   ::unlink(path.c_str());
   return {};

@@ -27,8 +27,8 @@ struct LineLimits {
 
 /// Listens on a Unix socket, which only its owner may connect to, until SIGINT or SIGTERM; then takes it away again.
 /// One thread for all connections; what one of them sends can end that one only. A socket that a dead server left
-/// behind is replaced, a living one is not.
+/// behind is replaced, a living one is not. `ready` is called once when clients can connect.
 [[nodiscard]] Result<void> serveUnixSocket(const std::string& path, const LineHandler& handler,
-                                           const LineLimits& limits);
+                                           const LineLimits& limits, const std::function<void()>& ready);
 
 }  // namespace cad2slam::cli

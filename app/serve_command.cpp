@@ -51,8 +51,8 @@ Result<void> serve(const ServeOptions& options) {
   limits.too_long.clear();
   appendError({}, {ErrorCode::kMalformed, "the request is too long", {}}, limits.too_long);
   if (options.socket.empty()) return serveStandardInput(handler, limits);
-  std::cerr << "cad2slam-cli: listening on " << options.socket << '\n';
-  return serveUnixSocket(options.socket, handler, limits);
+  return serveUnixSocket(options.socket, handler, limits,
+                         [&options] { std::cerr << "cad2slam-cli: listening on " << options.socket << '\n'; });
 }
 
 }  // namespace

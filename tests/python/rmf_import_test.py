@@ -63,7 +63,7 @@ class RmfImportTest(unittest.TestCase):
 
     def test_constraints_become_anchors(self):
         run("convert", "rmf", self.building(BUILDING), *self.maps, "--layer", "scan", "-o", self.out)
-        rows = list(csv.DictReader(self.out.open()))
+        rows = list(csv.DictReader(self.out.read_text().splitlines()))
         places = [[float(row[key]) for key in ("blueprint_x", "blueprint_y", "slam_x", "slam_y")] for row in rows]
         # Pixel rows grow down from the top: y = origin + (height - row) * resolution.
         expected = [[1.05, -8.0 + (80 - 20) * 0.1, 2 + 5 * 0.05, 3 + (30 - 6) * 0.05],

@@ -94,7 +94,7 @@ class ServeTest(unittest.TestCase):
                '{"op": "info", "poses": []}', '{"op": "info", "id": [1]}', '{"op": "info", "id": {"a": 1}}',
                '{"op": "project", "pose": [1, 2], "outside": "clamp"}', '{"op": "info", "extra": 1}',
                '{"op": "info"} {"op": "info"}', "[" * 100000, '{"op":' * 100000, '"\\ud800"')
-        good = {"op": "project", "pose": [1.5, 2.5]}
+        good = {"op": "project", "pose": self.poses[0].tolist()}
         answers = self.ask(*(line for text in bad for line in (text, good)))
         self.assertEqual(len(answers), 2 * len(bad))
         for text, answer, after in zip(bad, answers[::2], answers[1::2]):
@@ -168,11 +168,9 @@ class ServeTest(unittest.TestCase):
     def test_many_connections(self):
         _, path = self.server()
         crowd = []
-        for _ in range(200):
-            try:
-                crowd.append(self.connect(path))
-            except OSError:
-                break
+        for _ in range(100):
+            crowd.append(socket.socket(socket.AF_UNIX))
+            crowd[-1].connect(str(path))
         for connection in crowd:
             connection.close()
         deadline = time.monotonic() + 60

@@ -62,7 +62,7 @@ void FeatureWarpTest::edgesKeepTheChordError() {
       const Vector2d place = path.parts[0][0] + k / 10000.0 * (path.parts[0][1] - path.parts[0][0]);
       QVERIFY(distanceToLine(projector.slamFromBlueprint({place, 0.0}).pose.translation, line) <= error);
     }
-    QVERIFY(line.size() < 40.0 / std::sqrt(error));
+    QVERIFY(static_cast<double>(line.size()) < 40.0 / std::sqrt(error));
     QVERIFY(warped->largest_sagitta_m > 0.5);
     QCOMPARE(warped->vertices_after, line.size());
   }

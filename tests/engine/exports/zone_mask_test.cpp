@@ -119,7 +119,7 @@ void ZoneMaskTest::coveredPixelsAreWhollyInside() {
     for (int row = 0; row < frame.height(); ++row) {
       for (int column = 0; column < frame.width(); ++column) {
         if (covered->at<std::uint8_t>(row, column) == 0) continue;
-        for (const Vector2d corner : {Vector2d(0, 0), Vector2d(1, 0), Vector2d(0, 1), Vector2d(1, 1)}) {
+        for (const Vector2d& corner : {Vector2d(0, 0), Vector2d(1, 0), Vector2d(0, 1), Vector2d(1, 1)}) {
           const Vector2d place = frame.metricFromPixel(Vector2d(column, row) + corner);
           QVERIFY(isOnZone(zone, place) && distanceToBorder(zone.rings, place) >= zone.buffer_m);
         }
@@ -134,7 +134,7 @@ void ZoneMaskTest::coveredPixelsAreWhollyInside() {
   for (int row = 0; row < frame.height(); ++row) {
     for (int column = 0; column < frame.width(); ++column) {
       if (covered->at<std::uint8_t>(row, column) == 0) continue;
-      for (const Vector2d corner : {Vector2d(0, 0), Vector2d(1, 0), Vector2d(0, 1), Vector2d(1, 1)}) {
+      for (const Vector2d& corner : {Vector2d(0, 0), Vector2d(1, 0), Vector2d(0, 1), Vector2d(1, 1)}) {
         const Vector2d place = frame.metricFromPixel(Vector2d(column, row) + corner);
         QVERIFY(distanceToSegment(place, lane.lines[0][0], lane.lines[0][1]) <= 0.4);
       }
