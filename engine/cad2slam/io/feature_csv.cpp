@@ -104,6 +104,7 @@ std::string quoted(const std::string& text) {
 
 Result<FeatureList> parseFeatureCsv(std::string_view text, const std::string& file_name) {
   if (text.substr(0, 3) == "\xEF\xBB\xBF") text.remove_prefix(3);
+  if (!isUtf8(text)) return fail(ErrorCode::kMalformed, "is no UTF-8 text", file_name);
   const std::string_view first_line = text.substr(0, text.find('\n'));
   const char separator = first_line.find(',') != std::string_view::npos   ? ','
                          : first_line.find(';') != std::string_view::npos ? ';'
