@@ -58,7 +58,7 @@ Result<MapFrame> maskFrame(const MaskOptions& options, const FrameInfo& slam) {
   Eigen::Vector2d low = map->metricFromPixel({0.0, 0.0});
   Eigen::Vector2d high = low;
   for (const Eigen::Vector2d& corner : {Eigen::Vector2d(map->width(), 0.0), Eigen::Vector2d(0.0, map->height()),
-                                       Eigen::Vector2d(map->width(), map->height())}) {
+                                        Eigen::Vector2d(map->width(), map->height())}) {
     low = low.cwiseMin(map->metricFromPixel(corner));
     high = high.cwiseMax(map->metricFromPixel(corner));
   }
