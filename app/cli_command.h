@@ -30,6 +30,8 @@ void addInfoCommand(CLI::App& app, ActionSlot& chosen);
 void addWarpCommand(CLI::App& app, ActionSlot& chosen);
 void addPreviewCommand(CLI::App& app, ActionSlot& chosen);
 void addConvertCommand(CLI::App& app, ActionSlot& chosen);
+void addExportCommand(CLI::App& app, ActionSlot& chosen);
+void addServeCommand(CLI::App& app, ActionSlot& chosen);
 void addEvaluateCommand(CLI::App& app, ActionSlot& chosen);
 void addPlanCommand(CLI::App& app, ActionSlot& chosen);
 

@@ -27,6 +27,8 @@ int runCli(int argc, char** argv) {
   addWarpCommand(app, chosen);
   addPreviewCommand(app, chosen);
   addConvertCommand(app, chosen);
+  addExportCommand(app, chosen);
+  addServeCommand(app, chosen);
   addPlanCommand(app, chosen);
   addEvaluateCommand(app, chosen);
   try {

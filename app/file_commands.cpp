@@ -9,7 +9,11 @@
 
 #include "app/cli_command.h"
 #include "cad2slam/io/anchors_csv.h"
+#include "cad2slam/io/atomic_file.h"
+#include "cad2slam/io/geojson_file.h"
+#include "cad2slam/io/map_file.h"
 #include "cad2slam/io/projector_file.h"
+#include "cad2slam/io/rmf_building.h"
 
 namespace cad2slam::cli {
 namespace {
@@ -24,6 +28,10 @@ struct InfoOptions {
 struct ConvertOptions {
   std::string input;
   std::string output;
+  std::string blueprint;
+  std::string slam;
+  std::string level;
+  std::string layer;
 };
 
 Json toJson(const FrameInfo& frame) {
@@ -108,6 +116,49 @@ Result<void> convertAnchors(const ConvertOptions& options) {
   return {};
 }
 
+Result<MapFrame> frameOf(const std::string& yaml) {
+  const Result<MapMetadata> metadata = readMapMetadata(yaml);
+  if (!metadata) return failAs(metadata);
+  return readMapFrame(*metadata);
+}
+
+Result<RmfLevel> readLevel(const ConvertOptions& options) {
+  const Result<RmfBuilding> building = readRmfBuilding(options.input);
+  if (!building) return failAs(building);
+  Result<RmfLevel> level = findLevel(*building, options.level);
+  if (!level) return fail(level.error().code, level.error().message, options.input);
+  return level;
+}
+
+Result<void> convertRmf(const ConvertOptions& options) {
+  const Result<RmfLevel> level = readLevel(options);
+  if (!level) return failAs(level);
+  const Result<MapFrame> blueprint = frameOf(options.blueprint);
+  if (!blueprint) return failAs(blueprint);
+  const Result<MapFrame> slam = frameOf(options.slam);
+  if (!slam) return failAs(slam);
+  const Result<AnchorList> anchors = anchorsOf(*level, options.layer, *blueprint, *slam);
+  if (!anchors) return fail(anchors.error().code, anchors.error().message, options.input);
+  if (Result<void> written = writeAnchorsCsv(options.output, *anchors); !written) return written;
+  fmt::print("written: {} ({} anchors)\n", options.output, anchors->size());
+  std::fflush(stdout);
+  return {};
+}
+
+Result<void> convertLanes(const ConvertOptions& options) {
+  const Result<RmfLevel> level = readLevel(options);
+  if (!level) return failAs(level);
+  const Result<MapFrame> blueprint = frameOf(options.blueprint);
+  if (!blueprint) return failAs(blueprint);
+  const FeatureList lanes = lanesOf(*level, *blueprint);
+  const Result<std::string> text = formatGeoJson(lanes, "blueprint");
+  if (!text) return failAs(text);
+  if (Result<void> written = writeFileAtomically(options.output, *text); !written) return written;
+  fmt::print("written: {} ({} lanes and named places)\n", options.output, lanes.size());
+  std::fflush(stdout);
+  return {};
+}
+
 }  // namespace
 
 void addInfoCommand(CLI::App& app, ActionSlot& chosen) {
@@ -127,6 +178,19 @@ void addConvertCommand(CLI::App& app, ActionSlot& chosen) {
   anchors->add_option("input", options->input, "Anchors to read")->required();
   anchors->add_option("-o,--output", options->output, "CSV to write")->required();
   anchors->callback([options, &chosen] { chosen.set([options] { return convertAnchors(*options); }); });
+
+  CLI::App* rmf = command->add_subcommand("rmf", "Marks that Open-RMF's traffic editor joins, to anchors");
+  CLI::App* lanes = command->add_subcommand("rmf-lanes", "Lanes of Open-RMF's traffic editor, to GeoJSON");
+  for (CLI::App* building : {rmf, lanes}) {
+    building->add_option("input", options->input, "Building to read (.building.yaml)")->required();
+    building->add_option("--blueprint", options->blueprint, "The level's drawing as a map_server YAML")->required();
+    building->add_option("--level", options->level, "Level (default: the only one)");
+    building->add_option("-o,--output", options->output, "File to write")->required();
+  }
+  rmf->add_option("--slam", options->slam, "The layer's picture as a map_server YAML")->required();
+  rmf->add_option("--layer", options->layer, "Layer with the robot's map (default: the only one)");
+  rmf->callback([options, &chosen] { chosen.set([options] { return convertRmf(*options); }); });
+  lanes->callback([options, &chosen] { chosen.set([options] { return convertLanes(*options); }); });
 }
 
 }  // namespace cad2slam::cli

@@ -2,36 +2,40 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <iostream>
 #include <iterator>
-#include <map>
 #include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <system_error>
+#include <utility>
 #include <vector>
 
 #include "app/cli_command.h"
+#include "cad2slam/exports/robot_to_robot.h"
+#include "cad2slam/io/pose_protocol.h"
 #include "cad2slam/io/projector_file.h"
 
 namespace cad2slam::cli {
 namespace {
 
-enum class Target { kSlam, kBlueprint };
-
 struct ProjectOptions {
-  std::string projector;
-  std::string input = "-";
-  Target target = Target::kSlam;
+  std::vector<std::string> files;  ///< projector and input; only the input with `from`
+  std::string from;
+  std::string to;
   std::string outside;
 };
+
+using PoseFunction = std::function<Projection(const Pose2&)>;
 
 constexpr std::size_t kLongestLine = 4096;
 
@@ -39,7 +43,13 @@ bool isSeparator(char c) {
   return c == ',' || c == ';' || c == '\t' || c == ' ' || c == '\r';
 }
 
-/// Reads `x y [theta]`, separated by commas, semicolons, tabs or spaces; nullopt when the line says anything else.
+/// A column of letters, as the status that `project` itself writes.
+bool isWord(std::string_view text) {
+  return std::all_of(text.begin(), text.end(), [](char c) { return (c >= 'a' && c <= 'z') || c == '-'; });
+}
+
+/// Reads `x y [theta [status]]`, separated by commas, semicolons, tabs or spaces; nullopt when the line says anything
+/// else. The status is accepted, so that the output of one run is input of the next.
 std::optional<Pose2> parsePose(std::string_view line) {
   std::array<double, 3> values{};
   std::size_t count = 0;
@@ -48,7 +58,12 @@ std::optional<Pose2> parsePose(std::string_view line) {
   while (true) {
     while (at != end && isSeparator(*at)) ++at;
     if (at == end) break;
-    if (count == values.size()) return std::nullopt;
+    if (count == values.size()) {
+      const char* const last = std::find_if(at, end, isSeparator);
+      if (!isWord({at, static_cast<std::size_t>(last - at)}) || !std::all_of(last, end, isSeparator))
+        return std::nullopt;
+      break;
+    }
     if (*at == '+') ++at;
     const auto [next, error] = std::from_chars(at, end, values[count]);
     if (error != std::errc{} || (next != end && !isSeparator(*next)) || !std::isfinite(values[count]))
@@ -58,22 +73,6 @@ std::optional<Pose2> parsePose(std::string_view line) {
   }
   if (count < 2) return std::nullopt;
   return Pose2{{values[0], values[1]}, values[2]};
-}
-
-std::string_view statusName(ProjectionStatus status) {
-  switch (status) {
-    case ProjectionStatus::kInside:
-      return "inside";
-    case ProjectionStatus::kExtrapolated:
-      return "extrapolated";
-    case ProjectionStatus::kOutside:
-      return "outside";
-    case ProjectionStatus::kFolded:
-      return "folded";
-    case ProjectionStatus::kInvalid:
-      break;
-  }
-  return "invalid";
 }
 
 bool isBlankOrComment(std::string_view line) {
@@ -89,11 +88,7 @@ bool isHeader(std::string_view line) {
 /// Projects one stream line by line: memory does not grow with its length.
 class LineProjector {
  public:
-  LineProjector(const Projector& projector, const ProjectOptions& options) : projector_(projector), options_(options) {
-    outside_ = options.outside.empty()      ? projector.info().outside
-               : options.outside == "rigid" ? OutsidePolicy::kRigid
-                                            : OutsidePolicy::kError;
-  }
+  explicit LineProjector(PoseFunction project) : project_(std::move(project)) {}
 
   Result<void> run(std::istream& in, const std::string& name) {
     std::string line;
@@ -142,16 +137,15 @@ class LineProjector {
   }
 
   void answer(const Pose2& pose) {
-    const Projection projected = options_.target == Target::kSlam ? projector_.slamFromBlueprint(pose, outside_)
-                                                                  : projector_.blueprintFromSlam(pose, outside_);
+    const Projection projected = project_(pose);
     ++poses_;
     if (projected.ok()) {
       fmt::format_to(std::back_inserter(buffer_), "{:.9f},{:.9f},{:.9f},{}\n", projected.pose.translation.x(),
-                     projected.pose.translation.y(), projected.pose.heading, statusName(projected.status));
+                     projected.pose.translation.y(), projected.pose.heading, nameOf(projected.status));
       return;
     }
     if (unanswered_++ == 0) first_unanswered_ = line_number_;
-    append(fmt::format("nan,nan,nan,{}\n", statusName(projected.status)));
+    append(fmt::format("nan,nan,nan,{}\n", nameOf(projected.status)));
   }
 
   void append(std::string_view text) { buffer_.append(text.data(), text.data() + text.size()); }
@@ -164,9 +158,7 @@ class LineProjector {
 
   [[nodiscard]] std::string place(const std::string& name) const { return name + ":" + std::to_string(line_number_); }
 
-  const Projector& projector_;
-  const ProjectOptions& options_;
-  OutsidePolicy outside_ = OutsidePolicy::kError;
+  PoseFunction project_;
   fmt::memory_buffer buffer_;
   std::size_t line_number_ = 0;
   std::size_t poses_ = 0;
@@ -174,19 +166,63 @@ class LineProjector {
   std::size_t first_unanswered_ = 0;
 };
 
+OutsidePolicy policyOf(const ProjectOptions& options, const Projector& projector) {
+  if (options.outside.empty()) return projector.info().outside;
+  return options.outside == "rigid" ? OutsidePolicy::kRigid : OutsidePolicy::kError;
+}
+
+Result<PoseFunction> functionOfOne(const ProjectOptions& options) {
+  Result<Projector> loaded = loadProjector(options.files.front());
+  if (!loaded) return failAs(loaded);
+  const OutsidePolicy outside = policyOf(options, *loaded);
+  const bool to_slam = options.to == "slam";
+  return [projector = std::move(*loaded), outside, to_slam](const Pose2& pose) {
+    return to_slam ? projector.slamFromBlueprint(pose, outside) : projector.blueprintFromSlam(pose, outside);
+  };
+}
+
+Result<PoseFunction> functionOfTwo(const ProjectOptions& options) {
+  const Result<Projector> from = loadProjector(options.from);
+  if (!from) return failAs(from);
+  const Result<Projector> to = loadProjector(options.to);
+  if (!to) return failAs(to);
+  const Result<RobotToRobot> both = RobotToRobot::create(*from, *to);
+  if (!both) return fail(both.error().code, both.error().message, options.from + " and " + options.to);
+  if (options.outside.empty()) return [chain = *both](const Pose2& pose) { return chain.project(pose); };
+  const OutsidePolicy outside = policyOf(options, *to);
+  return [chain = *both, outside](const Pose2& pose) { return chain.project(pose, outside); };
+}
+
 Result<void> projectStream(const ProjectOptions& options) {
-  const Result<Projector> projector = loadProjector(options.projector);
-  if (!projector) return failAs(projector);
-  LineProjector lines(*projector, options);
+  const bool two = !options.from.empty();
+  const Result<PoseFunction> function = two ? functionOfTwo(options) : functionOfOne(options);
+  if (!function) return failAs(function);
+  const std::size_t before_input = two ? 0 : 1;
+  const std::string input = options.files.size() > before_input ? options.files.back() : "-";
+  LineProjector lines(*function);
   std::ios::sync_with_stdio(false);
-  if (options.input == "-") return lines.run(std::cin, "standard input");
+  if (input == "-") return lines.run(std::cin, "standard input");
   std::error_code unknown;
-  if (std::filesystem::is_directory(options.input, unknown)) {
-    return fail(ErrorCode::kUnreadable, "is a folder, not a file of poses", options.input);
+  if (std::filesystem::is_directory(input, unknown)) {
+    return fail(ErrorCode::kUnreadable, "is a folder, not a file of poses", input);
   }
-  std::ifstream file(options.input, std::ios::binary);
-  if (!file) return fail(ErrorCode::kNotFound, "the file cannot be opened", options.input);
-  return lines.run(file, options.input);
+  std::ifstream file(input, std::ios::binary);
+  if (!file) return fail(ErrorCode::kNotFound, "the file cannot be opened", input);
+  return lines.run(file, input);
+}
+
+/// One projector and a frame, or two projectors. What does not fit is wrong usage, not a failure.
+void checkFiles(const ProjectOptions& options) {
+  if (options.from.empty()) {
+    if (options.files.empty()) throw CLI::RequiredError("projector");
+    if (options.to != "slam" && options.to != "blueprint") {
+      throw CLI::ValidationError("--to", "must be slam or blueprint, or a projector file together with --from");
+    }
+  } else if (options.files.size() > 1) {
+    throw CLI::ExtrasError({options.files.front()});
+  } else if (options.to == "slam" || options.to == "blueprint") {
+    throw CLI::ValidationError("--to", "must be a projector file together with --from");
+  }
 }
 
 }  // namespace
@@ -194,15 +230,19 @@ Result<void> projectStream(const ProjectOptions& options) {
 void addProjectCommand(CLI::App& app, ActionSlot& chosen) {
   auto options = std::make_shared<ProjectOptions>();
   CLI::App* command = app.add_subcommand("project", "Project poses, one a line: x,y[,theta] in, x,y,theta,status out");
-  command->add_option("projector", options->projector, "Projector file (.c2s)")->required();
-  command->add_option("input", options->input, "File of poses, or - for standard input")->capture_default_str();
-  command->add_option("--to", options->target, "Frame of the answers: slam or blueprint")
-      ->required()
-      ->transform(CLI::CheckedTransformer(
-          std::map<std::string, Target>{{"slam", Target::kSlam}, {"blueprint", Target::kBlueprint}}));
+  command->add_option("files", options->files, "Projector file (.c2s), then a file of poses or - for standard input")
+      ->expected(0, 2)
+      ->type_name("[PROJECTOR] [INPUT]");
+  command->add_option("--to", options->to, "Frame of the answers: slam or blueprint; with --from a projector file")
+      ->required();
+  command->add_option("--from", options->from,
+                      "Projector of the robot whose poses are read; they go through the blueprint to that of --to");
   command->add_option("--outside", options->outside, "Beyond the mesh: error or rigid (default: what the file says)")
       ->check(CLI::IsMember({"error", "rigid"}));
-  command->callback([options, &chosen] { chosen.set([options] { return projectStream(*options); }); });
+  command->callback([options, &chosen] {
+    checkFiles(*options);
+    chosen.set([options] { return projectStream(*options); });
+  });
 }
 
 }  // namespace cad2slam::cli

@@ -208,7 +208,7 @@ def _keys_of(places: Floats) -> Numbers:
 
 
 class _TileTable:
-    """Finds the node of a tile."""
+    """Finds the node of a tile: in a table of the whole lattice, or by sorting where tiles lie far apart."""
 
     def __init__(self, tiles: Floats) -> None:
         self.count = tiles.shape[1]
@@ -216,9 +216,20 @@ class _TileTable:
         self._order = np.append(np.argsort(keys), self.count)
         self._keys = keys[self._order[:-1]]
         self.has_twice = bool((self._keys[1:] == self._keys[:-1]).any())
+        self._first = tiles.min(axis=1) - 1.0  # with an empty tile all around
+        self._last = tiles.max(axis=1) + 1.0 - self._first
+        self._table: NDArray[np.int32] | None = None
+        if (self._last + 1.0).prod() <= 32 * self.count + 65536:
+            table = np.full((self._last + 1.0).astype(np.int64), self.count, np.int32)
+            table[tuple((tiles - self._first[:, None]).astype(np.int64))] = np.arange(self.count)
+            self._table = table.ravel()
 
-    def find(self, column: NDArray[Any], row: NDArray[Any]) -> Numbers:
+    def find(self, column: NDArray[Any], row: NDArray[Any]) -> NDArray[Any]:
         """Nodes, or `count` where there is none. Takes whole numbers of any size in floats."""
+        if self._table is not None:
+            x = np.clip(column - self._first[0], 0.0, self._last[0])
+            y = np.clip(row - self._first[1], 0.0, self._last[1])
+            return self._table.take((x * (self._last[1] + 1.0) + y).astype(np.int64), mode="clip")
         keys = _keys_of(np.stack([column, row]))
         place = np.searchsorted(self._keys, keys)
         place[self._keys.take(place, mode="clip") != keys] = self.count

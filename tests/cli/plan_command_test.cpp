@@ -24,7 +24,7 @@ void PlanCommandTest::posesFromStartToGoal() {
   QVERIFY2(run.exit_code == 0, qPrintable(run.err));
   const QStringList lines = run.out.trimmed().split('\n');
   QVERIFY(lines.size() > 300);
-  for (const QByteArray& line : lines) QCOMPARE(line.count(','), 2);
+  for (const QString& line : lines) QCOMPARE(line.count(','), 2);
   QVERIFY(lines.first().startsWith("-7.5"));
   QVERIFY(lines.last().startsWith("30.0"));
 }

@@ -8,12 +8,15 @@ function(run)
 endfunction()
 
 file(REMOVE_RECURSE ${WORK_DIR})
-run(${CMAKE_COMMAND} --install ${BUILD_DIR} --config ${CONFIG} --component dev --prefix ${WORK_DIR}/prefix)
+foreach(component dev lib)
+  run(${CMAKE_COMMAND} --install ${BUILD_DIR} --config ${CONFIG} --component ${component} --prefix ${WORK_DIR}/prefix)
+endforeach()
 # Nothing of this tree may be needed any more.
 run(${CMAKE_COMMAND} -S ${SOURCE_DIR}/robot -B ${WORK_DIR}/build -G ${GENERATOR} -DCMAKE_BUILD_TYPE=${CONFIG}
     -DCMAKE_CXX_COMPILER=${COMPILER} -DCMAKE_PREFIX_PATH=${WORK_DIR}/prefix)
 run(${CMAKE_COMMAND} --build ${WORK_DIR}/build)
 run(${WORK_DIR}/build/robot)
+run(${WORK_DIR}/build/robot_in_c)
 file(GLOB_RECURSE configs ${WORK_DIR}/prefix/*.cmake)
 foreach(config ${configs})
   file(READ ${config} text)

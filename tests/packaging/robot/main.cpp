@@ -3,8 +3,16 @@
 
 // The smallest program of a robot. It calls everything that such programs call, so that the linker takes it all in.
 #include <cstdio>
+#include <utility>
 
 #include "cad2slam/io/projector_file.h"
+
+// What a control loop calls promises not to throw.
+using cad2slam::Pose2;
+using cad2slam::Projector;
+static_assert(noexcept(std::declval<const Projector&>().slamFromBlueprint(std::declval<const Pose2&>())));
+static_assert(noexcept(std::declval<const Projector&>().blueprintFromSlam(std::declval<const Pose2&>())));
+static_assert(noexcept(std::declval<const Projector&>().jacobian(std::declval<const Eigen::Vector2d&>())));
 
 int main() {
   const cad2slam::Result<cad2slam::Projector> missing = cad2slam::loadProjector("no such file.c2s");
