@@ -157,7 +157,7 @@ int main(int argc, char** argv) {
   const auto is_solved = [&] { return session.alignment().status() == AlignmentStatus::kUpToDate; };
   if (!waitFor([&] { return session.isReady(); })) return 1;
   window.grab();
-  report.insert(QStringLiteral("start_to_usable_ms"), since.nsecsElapsed() / 1e6);
+  report.insert(QStringLiteral("start_to_usable_ms"), static_cast<double>(since.nsecsElapsed()) / 1e6);
   if (!waitFor(is_solved)) return 1;
   idleFor(2000);
   report.insert(QStringLiteral("longest_block_load"), heart.longest());
@@ -187,10 +187,10 @@ int main(int argc, char** argv) {
     edit::moveAnchor(document, anchor.id, Side::kSlam, anchor.in_slam + Eigen::Vector2d(0.05, 0.0),
                      document.newGesture());
     if (!waitFor(is_solved)) return 1;
-    to_table.push_back(since.nsecsElapsed() / 1e6);
+    to_table.push_back(static_cast<double>(since.nsecsElapsed()) / 1e6);
     solve.push_back(1e3 * session.alignment().result()->seconds);
     if (!waitFor([&] { return window.preview().view().picture().image.cacheKey() != before.cacheKey(); }, 5000)) break;
-    to_preview.push_back(since.nsecsElapsed() / 1e6);
+    to_preview.push_back(static_cast<double>(since.nsecsElapsed()) / 1e6);
   }
   report.insert(QStringLiteral("click_to_table_ms"), median(to_table));
   report.insert(QStringLiteral("of_it_solve_ms"), median(solve));
@@ -209,7 +209,7 @@ int main(int argc, char** argv) {
     QCoreApplication::processEvents();
     ++frames;
   }
-  report.insert(QStringLiteral("pan_frames_per_s"), frames / (since.nsecsElapsed() / 1e9));
+  report.insert(QStringLiteral("pan_frames_per_s"), frames / (static_cast<double>(since.nsecsElapsed()) / 1e9));
   report.insert(QStringLiteral("longest_block_pan"), heart.longest());
 
   heart.stop();  // it wakes a thousand times a second itself

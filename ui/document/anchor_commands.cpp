@@ -23,8 +23,10 @@ EditAnchorsCommand::EditAnchorsCommand(ProjectDocument& document, std::vector<An
       gesture_(gesture),
       interim_(interim) {
   // A gesture may end without having moved anything: it must be announced, but leave no step.
-  setObsolete(std::all_of(changes_.begin(), changes_.end(),
-                          [](const AnchorChange& change) { return change.before == change.after; }));
+  // The end of a gesture has to run even where it moves nothing; merging decides what is left of it.
+  const bool ends_gesture = gesture_ != kNoGesture && !interim_;
+  setObsolete(!ends_gesture && std::all_of(changes_.begin(), changes_.end(),
+                                           [](const AnchorChange& change) { return change.before == change.after; }));
 }
 
 void EditAnchorsCommand::redo() {

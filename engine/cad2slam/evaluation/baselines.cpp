@@ -70,10 +70,10 @@ Result<Affine2> fitAffine(const std::vector<PointPair>& pairs) {
 }
 
 Result<ThinPlateSpline> ThinPlateSpline::fit(const std::vector<PointPair>& pairs) {
-  const std::vector<PointPair> merged = mergeSameSources(pairs);
-  if (!spansPlane(merged)) {
+  if (!spansPlane(pairs)) {  // also what is not finite, which could not be sorted below
     return fail(ErrorCode::kDegenerate, "A thin-plate spline needs three anchors that are not on one line");
   }
+  const std::vector<PointPair> merged = mergeSameSources(pairs);
   ThinPlateSpline spline;
   spline.center_ = meanSource(merged);
   double squares = 0.0;

@@ -163,11 +163,11 @@ Result<std::shared_ptr<const Projector::Impl>> Projector::Impl::create(const Pro
     impl->tiles_[i] = tile;
     if (!impl->centers_.empty()) impl->centers_[i] = center;
   }
-  const auto positionOf = [&](std::size_t i) {
+  const auto placeOf = [&](std::size_t i) {
     const double* pose = arrays.node_slam + 3 * std::size_t{file_order[i]};
     return Vector2d(pose[0], pose[1]);
   };
-  impl->seeds_ = SpatialHash(arrays.node_count, positionOf, 2.0 * info.scale * lattice.cell_size);
+  impl->seeds_ = SpatialHash(arrays.node_count, placeOf, 2.0 * info.scale * lattice.cell_size);
   impl->fold_memory_ = std::make_unique<FoldMemory[]>(arrays.node_count);
   return impl;
 }

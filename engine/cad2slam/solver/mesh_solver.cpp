@@ -25,6 +25,10 @@ namespace {
 using Eigen::Matrix2d;
 using Eigen::Vector2d;
 
+constexpr char kOnePlaceWarning[] =
+    "One place is anchored: only the translation is known; add an anchor far away from it.";
+constexpr char kTwoPlacesWarning[] =
+    "Two places are anchored: only rotation and translation are known; a third anchor lets the mesh bend.";
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 class Stopwatch {
@@ -87,7 +91,10 @@ double leaveOneOutScore(const Solution& solution) {
 }
 
 std::string plural(std::size_t count, const std::string& one, const std::string& many) {
-  return std::to_string(count) + " " + (count == 1 ? one : many);
+  std::string text = std::to_string(count);
+  text += ' ';
+  text += count == 1 ? one : many;
+  return text;
 }
 
 }  // namespace
@@ -104,8 +111,7 @@ class MeshSolver::Impl {
  private:
   Result<Solution> solveMesh(const AnchorList& anchors, const SolverSettings& settings, const Similarity2& global_fit,
                              const Solution* warm_start, const IterationCallback& on_iteration);
-  Result<SolverSettings> withChosenStiffness(const AnchorList& anchors, const SolverSettings& settings,
-                                             const IterationCallback& on_iteration);
+  Result<SolverSettings> withChosenStiffness(const AnchorList& anchors, const SolverSettings& settings);
   [[nodiscard]] MinimiserReport minimiseFrom(Eigen::VectorXd& x, const MinimiserOptions& options,
                                              const IterationCallback& on_iteration);
   void store(const Eigen::VectorXd& x, Solution& solution) const;
@@ -136,7 +142,7 @@ Result<Solution> MeshSolver::Impl::solve(const AnchorList& anchors, const Solver
   if (!global_fit) return failAs(global_fit);
   const int places = distinctPlaces(anchors);
   if (places >= 3) {
-    const Result<SolverSettings> chosen = withChosenStiffness(anchors, settings, on_iteration);
+    const Result<SolverSettings> chosen = withChosenStiffness(anchors, settings);
     if (!chosen) return failAs(chosen);
     return solveMesh(anchors, *chosen, *global_fit, warm_start, on_iteration);
   }
@@ -154,15 +160,12 @@ Result<Solution> MeshSolver::Impl::solve(const AnchorList& anchors, const Solver
     solution.anchors.push_back(fit);
     solution.anchors_used += anchor.enabled ? 1 : 0;
   }
-  solution.warnings.push_back(
-      places == 1
-          ? "One place is anchored: only the translation is known; add an anchor far away from it."
-          : "Two places are anchored: only rotation and translation are known; a third anchor lets the mesh bend.");
+  solution.warnings.emplace_back(places == 1 ? kOnePlaceWarning : kTwoPlacesWarning);
   return solution;
 }
 
-Result<SolverSettings> MeshSolver::Impl::withChosenStiffness(const AnchorList& anchors, const SolverSettings& settings,
-                                                             const IterationCallback& on_iteration) {
+Result<SolverSettings> MeshSolver::Impl::withChosenStiffness(const AnchorList& anchors,
+                                                             const SolverSettings& settings) {
   if (settings.model != Model::kStretch || settings.stiffness != Stiffness::kAutomatic) {
     return withStiffness(settings, settings.stiffness);
   }
@@ -183,8 +186,7 @@ Result<SolverSettings> MeshSolver::Impl::withChosenStiffness(const AnchorList& a
   for (const Stiffness stiffness : {Stiffness::kBalanced, Stiffness::kSmooth, Stiffness::kLocal}) {
     SolverSettings candidate = withStiffness(settings, stiffness);
     candidate.gradient_tolerance = std::max(candidate.gradient_tolerance, kGoodEnoughToJudge);
-    const Result<Solution> solution = scout_->solve(anchors, candidate, nullptr, on_iteration);
-    if (!solution && solution.error().code == ErrorCode::kCancelled) return failAs(solution);
+    const Result<Solution> solution = scout_->solve(anchors, candidate, nullptr, {});  // too short to be cancelled
     if (!solution) continue;
     const double score = leaveOneOutScore(*solution);
     if (score < best_score) {
@@ -225,7 +227,7 @@ Result<Solution> MeshSolver::Impl::solveMesh(const AnchorList& anchors, const So
   Eigen::VectorXd gradient(at_fit.size());
   solution.initial_cost = gradientAt(objective_, at_fit.data(), gradient.data());
   // Where the similarity is perfect there is no gradient to compare with: then any rounding-sized one is converged.
-  const double smallest_scale = 1e-6 * settings.anchor_information;
+  const double smallest_scale = 1e-2 * settings.anchor_information;
   options.gradient_at_start = std::max(smallest_scale, gradient.lpNorm<Eigen::Infinity>());
 
   x_ = startingPoint(objective_, *mesh_, global_fit, warm_start);

@@ -92,7 +92,7 @@ void CApiTest::givesWhatTheCppLibraryGives() {
     QVERIFY(equal(there[k], expected.pose) && status[k] == static_cast<uint8_t>(expected.status));
     answered += expected.ok() ? 1 : 0;
   }
-  QVERIFY(answered > 500);
+  QVERIFY(answered > 100);
   cad2slam_blueprint_from_slam_many(in_c_, there.data(), back.data(), status.data(), poses_.size(), in_c);
   for (std::size_t k = 0; k < poses_.size(); ++k) {
     const Pose2 pose{{there[k].x, there[k].y}, there[k].heading};

@@ -143,7 +143,7 @@ class ProjectDocumentTest : public QObject {
     const int gesture = document_.newGesture();
     QSignalSpy spy(&document_, &ProjectDocument::changed);
     for (int i = 1; i <= 20; ++i) edit::moveAnchor(document_, 2, Side::kSlam, {4.0 + i, 2.0}, gesture, true);
-    edit::moveAnchor(document_, 2, Side::kSlam, {24.0, 2.0}, gesture);
+    edit::moveAnchor(document_, 2, Side::kSlam, {24.0, 2.0}, gesture, false, true);
     QCOMPARE(document_.undoStack().index(), steps + 1);
     QCOMPARE(spy.first().at(0).value<ChangeEvent>().interim, true);
     QCOMPARE(spy.last().at(0).value<ChangeEvent>().interim, false);

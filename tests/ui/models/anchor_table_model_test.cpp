@@ -11,7 +11,7 @@
 #include <QTest>
 
 using namespace cad2slam;
-using Model = AnchorTableModel;
+using TableModel = AnchorTableModel;
 
 class AnchorTableModelTest : public QObject {
   Q_OBJECT
@@ -19,7 +19,7 @@ class AnchorTableModelTest : public QObject {
  private:
   ProjectDocument document_;
 
-  QString shown(const Model& model, int row, int column) {
+  QString shown(const TableModel& model, int row, int column) {
     return model.data(model.index(row, column), Qt::DisplayRole).toString();
   }
 
@@ -33,7 +33,7 @@ class AnchorTableModelTest : public QObject {
   void cleanup() { QLocale::setDefault(QLocale::c()); }
 
   void staysConsistentThroughEdits() {
-    Model model(document_);
+    TableModel model(document_);
     QAbstractItemModelTester tester(&model, QAbstractItemModelTester::FailureReportingMode::QtTest);
     edit::addAnchor(document_, {9, 9}, {9, 9});
     edit::deleteAnchors(document_, {1, 3});
@@ -44,28 +44,28 @@ class AnchorTableModelTest : public QObject {
   }
 
   void scenario14_editsAreOneStepAndBadTextIsRefused() {
-    Model model(document_);
+    TableModel model(document_);
     const int steps = document_.undoStack().count();
-    QVERIFY(model.setData(model.index(0, Model::kSlamX), QStringLiteral("3,25"), Qt::EditRole));
+    QVERIFY(model.setData(model.index(0, TableModel::kSlamX), QStringLiteral("3,25"), Qt::EditRole));
     QCOMPARE(document_.anchor(1)->in_slam.x(), 3.25);
     QCOMPARE(document_.undoStack().count(), steps + 1);
     for (const char* bad : {"", "abc", "1.2.3", "nan", "inf", "1e300", "1,234.5", "3 4"})
-      QVERIFY2(!model.setData(model.index(0, Model::kSlamX), QString::fromLatin1(bad), Qt::EditRole), bad);
+      QVERIFY2(!model.setData(model.index(0, TableModel::kSlamX), QString::fromLatin1(bad), Qt::EditRole), bad);
     QCOMPARE(document_.anchor(1)->in_slam.x(), 3.25);
     QCOMPARE(document_.undoStack().count(), steps + 1);
   }
 
   void leavingTheTextAloneDoesNotRound() {
-    Model model(document_);
-    const QModelIndex cell = model.index(0, Model::kBlueprintX);
+    TableModel model(document_);
+    const QModelIndex cell = model.index(0, TableModel::kBlueprintX);
     QVERIFY(model.setData(cell, model.data(cell, Qt::EditRole), Qt::EditRole));
     QCOMPARE(document_.anchor(1)->in_blueprint.x(), 1.23456789);
   }
 
   void scenario27_decimalCommaWhereTheLanguageHasIt() {
     QLocale::setDefault(QLocale(QLocale::German));
-    Model model(document_);
-    QCOMPARE(shown(model, 0, Model::kBlueprintX), QStringLiteral("1,235"));
+    TableModel model(document_);
+    QCOMPARE(shown(model, 0, TableModel::kBlueprintX), QStringLiteral("1,235"));
     QCOMPARE(parseNumber(QStringLiteral("12,5")), std::optional(12.5));
     QCOMPARE(parseNumber(QStringLiteral("12.5 m")), std::optional(12.5));
     QCOMPARE(numberText(1234567.891, 1), QStringLiteral("1234567,9"));
@@ -73,47 +73,47 @@ class AnchorTableModelTest : public QObject {
   }
 
   void scenario13_disabledRowsAreChecksInItalics() {
-    Model model(document_);
+    TableModel model(document_);
     edit::setEnabled(document_, {2}, false);
     AnchorJudgement check;
     check.judged = AnchorClass::kDisabled;
     check.residual_m = 0.123;
     check.is_check = true;
     model.setJudgements({{2, check}}, false);
-    QCOMPARE(shown(model, 1, Model::kResidual), QStringLiteral("12.3"));
-    QVERIFY(model.data(model.index(1, Model::kResidual), Qt::FontRole).value<QFont>().italic());
-    QCOMPARE(model.data(model.index(1, Model::kEnabled), Qt::CheckStateRole).toInt(), int(Qt::Unchecked));
-    QVERIFY(model.setData(model.index(1, Model::kEnabled), int(Qt::Checked), Qt::CheckStateRole));
+    QCOMPARE(shown(model, 1, TableModel::kResidual), QStringLiteral("12.3"));
+    QVERIFY(model.data(model.index(1, TableModel::kResidual), Qt::FontRole).value<QFont>().italic());
+    QCOMPARE(model.data(model.index(1, TableModel::kEnabled), Qt::CheckStateRole).toInt(), int(Qt::Unchecked));
+    QVERIFY(model.setData(model.index(1, TableModel::kEnabled), int(Qt::Checked), Qt::CheckStateRole));
     QVERIFY(document_.anchor(2)->enabled);
   }
 
   void staleNumbersAreGrey() {
-    Model model(document_);
+    TableModel model(document_);
     AnchorJudgement judgement;
     judgement.residual_m = 0.1;
     model.setJudgements({{1, judgement}}, true);
-    QVERIFY(model.data(model.index(0, Model::kResidual), Qt::ForegroundRole).isValid());
+    QVERIFY(model.data(model.index(0, TableModel::kResidual), Qt::ForegroundRole).isValid());
     model.setJudgements({{1, judgement}}, false);
-    QVERIFY(!model.data(model.index(0, Model::kResidual), Qt::ForegroundRole).isValid());
+    QVERIFY(!model.data(model.index(0, TableModel::kResidual), Qt::ForegroundRole).isValid());
   }
 
   void everyClassHasItsShapeAndWord() {
-    Model model(document_);
+    TableModel model(document_);
     QStringList flags;
     for (const AnchorClass judged : {AnchorClass::kOk, AnchorClass::kLook, AnchorClass::kBad}) {
       AnchorJudgement judgement;
       judgement.judged = judged;
       model.setJudgements({{1, judgement}}, false);
-      flags += shown(model, 0, Model::kFlag);
+      flags += shown(model, 0, TableModel::kFlag);
     }
     QCOMPARE(flags, (QStringList{QStringLiteral("● OK"), QStringLiteral("◆ look"), QStringLiteral("■ bad")}));
   }
 
   void aLockedTableCannotBeEdited() {
-    Model model(document_);
+    TableModel model(document_);
     document_.setLocked(true);
-    QVERIFY(!(model.flags(model.index(0, Model::kName)) & Qt::ItemIsEditable));
-    QVERIFY(!model.setData(model.index(0, Model::kName), QStringLiteral("x"), Qt::EditRole));
+    QVERIFY(!(model.flags(model.index(0, TableModel::kName)) & Qt::ItemIsEditable));
+    QVERIFY(!model.setData(model.index(0, TableModel::kName), QStringLiteral("x"), Qt::EditRole));
   }
 };
 

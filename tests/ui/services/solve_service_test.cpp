@@ -81,7 +81,8 @@ class SolveServiceTest : public QObject {
     since.start();
     std::uint64_t revision = 0;
     while (solved.size() < 5 && since.elapsed() < kPatience) {
-      SolveRequest request = requestOf(hall, ++revision, 0.001 * double(revision));
+      ++revision;
+      SolveRequest request = requestOf(hall, revision, 0.001 * double(revision));
       request.quality = Quality::kPreview;
       service.request(std::move(request));
       QTest::qWait(5);

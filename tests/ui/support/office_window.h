@@ -10,6 +10,7 @@
 #include "ui/main_window/project_files.h"
 #include "ui/main_window/view_pair.h"
 #include "ui/panels/message_bar.h"
+#include "ui/services/autosave.h"
 #include "ui/views/map_view.h"
 
 #include <QApplication>
