@@ -107,7 +107,9 @@ int run(const QStringList& arguments) {
 
   MapView view;
   view.resize(1920, 1080);
+  view.setEmptyText(QStringLiteral("Loading"));
   view.show();
+  view.repaint();  // fonts are loaded before the measurement
   Heartbeat heartbeat;
   QElapsedTimer timer;
   timer.start();
