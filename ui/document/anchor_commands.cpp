@@ -21,13 +21,7 @@ EditAnchorsCommand::EditAnchorsCommand(ProjectDocument& document, std::vector<An
       next_id_before_(document.nextId()),
       next_id_after_(next_id),
       gesture_(gesture),
-      interim_(interim) {
-  // A gesture may end without having moved anything: it must be announced, but leave no step.
-  // The end of a gesture has to run even where it moves nothing; merging decides what is left of it.
-  const bool ends_gesture = gesture_ != kNoGesture && !interim_;
-  setObsolete(!ends_gesture && std::all_of(changes_.begin(), changes_.end(),
-                                           [](const AnchorChange& change) { return change.before == change.after; }));
-}
+      interim_(interim) {}
 
 void EditAnchorsCommand::redo() {
   ChangeEvent event;
@@ -35,8 +29,11 @@ void EditAnchorsCommand::redo() {
   if (gesture_ != kNoGesture && !interim_) event.what |= Change::kAnchors;
   event.interim = interim_ && first_time_;
   event.by_history = !first_time_;
-  first_time_ = false;
   document_.applyAnchorChanges(map_, changes_, next_id_after_, ProjectDocument::Direction::kRedo, event);
+  // A gesture may end without having moved anything: it had to be announced, but leaves no step of its own.
+  if (std::exchange(first_time_, false))
+    setObsolete(std::all_of(changes_.begin(), changes_.end(),
+                            [](const AnchorChange& change) { return change.before == change.after; }));
 }
 
 void EditAnchorsCommand::undo() {

@@ -26,6 +26,12 @@ constexpr double kSwapGain = 0.5;            // and a swap by this one
 constexpr std::size_t kSwapCandidates = 12;  // worst anchors among which swaps are tried
 constexpr double kOutlierRatio = 4.0;        // against the median of the others
 constexpr std::size_t kOutlierFrom = 5;      // with fewer nobody knows which one is wrong
+constexpr double kLargestCoordinate = 1e8;   // [m]
+
+/// Finite, and not so large that squares of differences are no numbers any more.
+bool isUsable(const Vector2d& point) {
+  return point.allFinite() && point.cwiseAbs().maxCoeff() < kLargestCoordinate;
+}
 
 double median(std::vector<double> values) {
   if (values.empty()) return 0.0;
@@ -38,7 +44,7 @@ class Diagnosis {
  public:
   explicit Diagnosis(const DiagnosisInput& input) : input_(input) {
     for (const Anchor& anchor : input.anchors) {
-      if (!anchor.enabled || !anchor.in_blueprint.allFinite() || !anchor.in_slam.allFinite()) continue;
+      if (!anchor.enabled || !isUsable(anchor.in_blueprint) || !isUsable(anchor.in_slam)) continue;
       used_.push_back(&anchor);
       pairs_.push_back({anchor.in_blueprint, anchor.in_slam});
     }

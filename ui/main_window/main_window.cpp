@@ -392,6 +392,12 @@ void MainWindow::restoreViewState() {
   }
 }
 
+void MainWindow::keyPressEvent(QKeyEvent* event) {
+  // Wherever the keyboard is, Esc drops a half anchor; it never closes the window.
+  if (event->key() == Qt::Key_Escape && session_.flow().cancel()) return event->accept();
+  QMainWindow::keyPressEvent(event);
+}
+
 void MainWindow::closeEvent(QCloseEvent* event) {
   if (files_->mayClose()) {
     recovery_->autosave().clear();

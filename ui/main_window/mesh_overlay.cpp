@@ -4,8 +4,6 @@
 
 #include "ui/convert.h"
 
-#include <Eigen/LU>
-
 #include <utility>
 
 namespace cad2slam {
@@ -24,8 +22,7 @@ MeshOverlay edgesWithStrain(const SolveResult& result) {
     const double length = (solved[edge.to].translation - solved[edge.from].translation).norm();
     overlay.strain.push_back(static_cast<float>(length / rest_length - 1.0));
   }
-  for (std::size_t i = 0; i < rest.size(); ++i)
-    if (result.projector.jacobian(rest[i]).determinant() <= 0.0) overlay.folds.push_back(static_cast<std::uint32_t>(i));
+  overlay.folds = result.folded_nodes;
   return overlay;
 }
 

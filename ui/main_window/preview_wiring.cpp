@@ -8,6 +8,7 @@
 #include <QEvent>
 
 #include "ui/convert.h"
+#include "ui/main_window/marker_class.h"
 #include "ui/main_window/mesh_overlay.h"
 
 namespace cad2slam {
@@ -20,22 +21,6 @@ const QColor kGreyInk(0x55, 0x5a, 0x60);
 // Of all SLAM maps over one blueprint; told apart by lightness as well.
 const std::array<QColor, 6> kMapInks{QColor(0xe0, 0x00, 0x84), QColor(0x00, 0x9a, 0x44), QColor(0x1f, 0x5f, 0xd8),
                                      QColor(0xd9, 0x7a, 0x00), QColor(0x6a, 0x2f, 0xb5), QColor(0x00, 0x95, 0xa8)};
-
-MarkerClass markerClass(AnchorClass judged) {
-  switch (judged) {
-    case AnchorClass::kOk:
-      return MarkerClass::kOk;
-    case AnchorClass::kLook:
-      return MarkerClass::kLook;
-    case AnchorClass::kBad:
-      return MarkerClass::kBad;
-    case AnchorClass::kDisabled:
-      return MarkerClass::kDisabled;
-    case AnchorClass::kPlain:
-      break;
-  }
-  return MarkerClass::kPlain;
-}
 
 }  // namespace
 

@@ -4,6 +4,7 @@
 
 #include "ui/convert.h"
 #include "ui/document/anchor_commands.h"
+#include "ui/main_window/marker_class.h"
 #include "ui/main_window/mesh_overlay.h"
 
 #include <QEvent>
@@ -16,22 +17,6 @@ namespace cad2slam {
 namespace {
 
 constexpr double kRingSigmas = 2.0;  // a ring that the true place rarely leaves
-
-MarkerClass markerClass(AnchorClass judged) {
-  switch (judged) {
-    case AnchorClass::kPlain:
-      return MarkerClass::kPlain;
-    case AnchorClass::kOk:
-      return MarkerClass::kOk;
-    case AnchorClass::kLook:
-      return MarkerClass::kLook;
-    case AnchorClass::kBad:
-      return MarkerClass::kBad;
-    case AnchorClass::kDisabled:
-      return MarkerClass::kDisabled;
-  }
-  return MarkerClass::kPlain;
-}
 
 }  // namespace
 

@@ -11,6 +11,7 @@ namespace {
 
 constexpr double kSlow_s = 0.045;      // a sharp picture that takes longer is preceded by a coarse one
 constexpr double kCoarse = 1.0 / 3.0;  // of the resolution
+constexpr int kRest_ms = 60;           // without a request, before a slow sharp picture is begun
 
 }  // namespace
 
@@ -24,11 +25,18 @@ PreviewService::PreviewService(QObject* parent)
               return {fail(ErrorCode::kInternal, failure.what()), task};
             }
           },
-          [this](const Answer& answer) { take(answer); }) {}
+          [this](const Answer& answer) { take(answer); }) {
+  sharpen_.setSingleShot(true);
+  sharpen_.setInterval(kRest_ms);
+  connect(&sharpen_, &QTimer::timeout, this, [this] {
+    if (wanted_.scene) job_.request({wanted_, true});
+  });
+}
 
 void PreviewService::setScene(std::shared_ptr<const PreviewScene> scene) {
   wanted_.scene = std::move(scene);
   if (!wanted_.scene) {
+    sharpen_.stop();
     job_.cancel();
   } else if (!wanted_.size.isEmpty()) {
     start();
@@ -44,6 +52,7 @@ void PreviewService::request(PreviewKind kind, const ViewState& state, const QSi
 }
 
 void PreviewService::start() {
+  sharpen_.stop();
   Task task{wanted_, true};
   if (sharp_seconds_ > kSlow_s) {
     task.request.ratio *= kCoarse;
@@ -65,7 +74,7 @@ void PreviewService::take(const Answer& answer) {
   if (answer.of.sharp) {
     emit idle();
   } else {
-    job_.request({wanted_, true});
+    sharpen_.start();
   }
 }
 

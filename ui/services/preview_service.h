@@ -3,6 +3,7 @@
 #pragma once
 
 #include <QObject>
+#include <QTimer>
 
 #include "ui/services/preview_renderer.h"
 #include "ui/views/latest_job.h"
@@ -43,6 +44,7 @@ class PreviewService : public QObject {
 
   PreviewRequest wanted_;
   double sharp_seconds_ = 0.0;  // of the last sharp picture
+  QTimer sharpen_;              // after a coarse one, when nothing else is asked for
   LatestJob<Task, Answer> job_;
 };
 

@@ -17,6 +17,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace cad2slam {
 
@@ -47,6 +48,7 @@ struct SolveResult {
   AnchorList anchors;  ///< as they were when asked
   Solution solution;
   Projector projector;
+  std::vector<NodeIndex> folded_nodes;  ///< where the projection turns over
   double seconds = 0.0;  ///< from the start of the work to its end, mesh included
 };
 

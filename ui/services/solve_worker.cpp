@@ -6,6 +6,8 @@
 #include "cad2slam/mesh/mesh_builder.h"
 #include "cad2slam/projection/make_projector.h"
 
+#include <Eigen/LU>
+
 #include <algorithm>
 #include <chrono>
 #include <limits>
@@ -82,10 +84,13 @@ Result<SolveResultPtr> SolveWorker::solve(const SolveRequest& request, const Ite
   if (!projector) return failAs(projector);
   at.request = request;
   at.last = *solution;
+  std::vector<NodeIndex> folded;
+  for (NodeIndex node = 0; projector->foldedTileCount() > 0 && node < at.mesh->nodeCount(); ++node)
+    if (projector->jacobian(at.mesh->centers()[node]).determinant() <= 0.0) folded.push_back(node);
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-  return std::make_shared<const SolveResult>(SolveResult{request.revision, request.map, request.quality, at.mesh,
-                                                         request.anchors, std::move(*solution), std::move(*projector),
-                                                         seconds});
+  return std::make_shared<const SolveResult>(
+      SolveResult{request.revision, request.map, request.quality, at.mesh, request.anchors, std::move(*solution),
+                  std::move(*projector), std::move(folded), seconds});
 }
 
 double SolveWorker::sigma(const std::string& map, const Eigen::Vector2d& point_in_blueprint) const {

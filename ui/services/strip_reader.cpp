@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <csetjmp>
+#include <cstdint>
 #include <cstdio>
 #include <string>
 #include <vector>
@@ -16,7 +17,8 @@
 namespace cad2slam {
 namespace {
 
-constexpr png_uint_32 kLargestSide = 200'000;
+constexpr png_uint_32 kLargestSide = 65'535;
+constexpr std::int64_t kMostPixels = std::int64_t{1} << 30;
 
 /// libpng reports errors by longjmp, so every call into it sits in a member that holds no object to destroy.
 class PngReader : public StripReader {
@@ -83,6 +85,7 @@ class PngReader : public StripReader {
     size_ = cv::Size(static_cast<int>(png_get_image_width(png_, info_)),
                      static_cast<int>(png_get_image_height(png_, info_)));
     const auto pixel_bytes = static_cast<std::size_t>(grey_ ? 1 : 4);
+    if (std::int64_t{size_.width} * size_.height > kMostPixels) return false;
     return png_get_rowbytes(png_, info_) == pixel_bytes * static_cast<std::size_t>(size_.width);
   }
 

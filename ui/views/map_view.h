@@ -226,6 +226,7 @@ class MapView : public QWidget {
 
   // Where the mouse is and what it does.
   Gesture gesture_ = Gesture::kNone;
+  Qt::MouseButton gesture_button_ = Qt::NoButton;
   std::optional<QPointF> cursor_;  // logical pixels, while over the view
   QPointF press_;
   QPointF last_;

@@ -139,9 +139,9 @@ void MapView::mousePressEvent(QMouseEvent* event) {
       if (pressed_) emit markerPressed(pressed_->id, event->modifiers());
     }
   } else {
-    event->ignore();
     return;
   }
+  gesture_button_ = event->button();
   showCursorShape();
 }
 
@@ -249,12 +249,12 @@ void MapView::mouseReleaseEvent(QMouseEvent* event) {
     }
     return;
   }
-  if (event->button() != Qt::LeftButton && event->button() != Qt::MiddleButton) return;
+  if (gesture_ == Gesture::kNone || event->button() != gesture_button_) return;
   const Gesture ended = std::exchange(gesture_, Gesture::kNone);
   const std::optional<Hit> pressed = std::exchange(pressed_, std::nullopt);
   switch (ended) {
     case Gesture::kPressed:
-      if (!pressed && event->button() == Qt::LeftButton) {
+      if (!pressed) {
         const bool snapped = snap_m_.has_value();
         const QPointF point_m = snapped ? *snap_m_ : metresFromWidget(press_);
         snap_m_.reset();

@@ -13,6 +13,7 @@ namespace {
 
 constexpr double kSpriteHalf_px = 26.0;
 constexpr double kHandleReach_px = 22.0;
+constexpr double kTextEdge_px = 3.0;
 constexpr int kMostSprites = 4000;
 const QColor kDarkEdge(0, 0, 0, 190);
 const QColor kLightEdge(255, 255, 255, 235);
@@ -84,6 +85,18 @@ void paintMarkerShape(QPainter& painter, const Marker& marker, bool enlarged) {
   }
 }
 
+QPixmap emptyTextSprite(const QString& text, const QFont& font, double ratio) {
+  const QFontMetricsF metrics(font);
+  double width = 0.0;
+  for (const QChar letter : text) width += metrics.horizontalAdvance(letter);
+  const QSizeF size(std::max(width, metrics.horizontalAdvance(text)) + 2.0 * kTextEdge_px,
+                    metrics.height() + 2.0 * kTextEdge_px);
+  QPixmap sprite((size * ratio).toSize());
+  sprite.setDevicePixelRatio(ratio);
+  sprite.fill(Qt::transparent);
+  return sprite;
+}
+
 QString keyOf(double ratio) {
   return QString::number(qRound(ratio * 100));
 }
@@ -130,35 +143,61 @@ const QPixmap& MarkerPainter::markerSprite(const Marker& marker, bool enlarged, 
   return *found;
 }
 
-const QPixmap& MarkerPainter::textSprite(const QString& text, const QColor& color, const QFont& font, double ratio) {
-  const QString key = QStringLiteral("t%1%2_").arg(color.name(), keyOf(ratio)) + font.key() + text;
-  auto found = sprites_.find(key);
-  if (found == sprites_.end()) {
-    if (sprites_.size() > kMostSprites) sprites_.clear();
-    const QFontMetricsF metrics(font);
-    const QSizeF size(metrics.horizontalAdvance(text) + 8.0, metrics.height() + 6.0);
-    QPixmap sprite((size * ratio).toSize());
-    sprite.setDevicePixelRatio(ratio);
-    sprite.fill(Qt::transparent);
-    QPainter painter(&sprite);
-    painter.setRenderHint(QPainter::Antialiasing);
-    QPainterPath path;
-    path.addText(QPointF(4.0, 3.0 + metrics.ascent()), font, text);
-    painter.strokePath(path, QPen(kDarkEdge, 4.2, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
-    painter.strokePath(path, QPen(QColor(255, 255, 255), 3.2, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
-    painter.fillPath(path, color.darker(145));
-    painter.end();
-    found = sprites_.insert(key, sprite);
+const QPixmap& MarkerPainter::keep(const QString& key, const QPixmap& sprite) {
+  if (sprites_.size() > kMostSprites) sprites_.clear();
+  return *sprites_.insert(key, sprite);
+}
+
+const QPixmap& MarkerPainter::letterSprite(const QString& letter, TextPart part, const QColor& color, const QFont& font,
+                                           double ratio) {
+  const QString look = part == TextPart::kInk ? color.name() : QString::number(static_cast<int>(part));
+  const QString key = QStringLiteral("l%1_%2_").arg(look, keyOf(ratio)) + font.key() + letter;
+  const auto found = sprites_.constFind(key);
+  if (found != sprites_.constEnd()) return *found;
+  QPixmap sprite = emptyTextSprite(letter, font, ratio);
+  QPainter painter(&sprite);
+  painter.setRenderHint(QPainter::Antialiasing);
+  QPainterPath path;
+  path.addText(QPointF(kTextEdge_px, kTextEdge_px + QFontMetricsF(font).ascent()), font, letter);
+  if (part == TextPart::kInk) {
+    painter.fillPath(path, color);
+  } else {
+    const bool dark = part == TextPart::kDarkEdge;
+    painter.strokePath(path, solidPen(dark ? kDarkEdge : QColor(Qt::white), dark ? 4.2 : 3.2));
   }
-  return *found;
+  painter.end();
+  return keep(key, sprite);
+}
+
+const QPixmap& MarkerPainter::textSprite(const QString& text, const QColor& color, const QFont& font, double ratio) {
+  const QString key = QStringLiteral("t%1_%2_").arg(color.name(), keyOf(ratio)) + font.key() + text;
+  const auto found = sprites_.constFind(key);
+  if (found != sprites_.constEnd()) return *found;
+  // Outlines are slow to draw: hundreds of numbers are put together from the ten digits. Scripts that join their
+  // letters are drawn as one.
+  const bool joined = std::any_of(text.begin(), text.end(), [](QChar letter) { return letter.unicode() >= 0x250; });
+  const qsizetype step = joined ? text.size() : 1;
+  const QFontMetricsF metrics(font);
+  QPixmap sprite = emptyTextSprite(text, font, ratio);
+  QPainter painter(&sprite);
+  for (const TextPart part : {TextPart::kDarkEdge, TextPart::kLightEdge, TextPart::kInk}) {
+    double x = 0.0;
+    for (qsizetype i = 0; i < text.size(); i += step) {
+      const QString piece = text.mid(i, step);
+      painter.drawPixmap(QPointF(x, 0.0), letterSprite(piece, part, color, font, ratio));
+      x += metrics.horizontalAdvance(piece);
+    }
+  }
+  painter.end();
+  return keep(key, sprite);
 }
 
 void MarkerPainter::paintText(QPainter& painter, const QPointF& at, const QString& text, const QColor& color) {
   if (text.isEmpty()) return;
   QFont font = painter.font();
   font.setBold(true);
-  const QPixmap& sprite = textSprite(text, color, font, painter.device()->devicePixelRatioF());
-  painter.drawPixmap(at - QPointF(4.0, sprite.height() / sprite.devicePixelRatio() / 2.0), sprite);
+  const QPixmap& sprite = textSprite(text, color.darker(145), font, painter.device()->devicePixelRatioF());
+  painter.drawPixmap(at - QPointF(kTextEdge_px, sprite.height() / sprite.devicePixelRatio() / 2.0), sprite);
 }
 
 void MarkerPainter::paintMarker(QPainter& painter, const Marker& marker, const QPointF& at, bool enlarged,

@@ -36,7 +36,11 @@ class MarkerPainter {
 
  private:
   const QPixmap& markerSprite(const Marker& marker, bool enlarged, double ratio);
+  enum class TextPart { kDarkEdge, kLightEdge, kInk };
+  const QPixmap& letterSprite(const QString& letter, TextPart part, const QColor& color, const QFont& font,
+                              double ratio);
   const QPixmap& textSprite(const QString& text, const QColor& color, const QFont& font, double ratio);
+  [[nodiscard]] const QPixmap& keep(const QString& key, const QPixmap& sprite);
 
   QHash<QString, QPixmap> sprites_;
 };

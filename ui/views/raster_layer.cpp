@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 
 #include <QPainterPath>
 #include <QPolygonF>
@@ -42,6 +43,20 @@ bool isWholeShift(const QTransform& from, const QTransform& to, QPoint* shift) {
   if (std::abs(dx) > 1e6 || std::abs(dy) > 1e6) return false;
   *shift = QPoint(static_cast<int>(std::lround(dx)), static_cast<int>(std::lround(dy)));
   return std::abs(dx - shift->x()) < 0.02 && std::abs(dy - shift->y()) < 0.02;
+}
+
+/// Moves the pixels of an image; what comes in from outside keeps its old pixels.
+void shiftInPlace(QImage& image, const QPoint& shift) {
+  const auto pixel_bytes = static_cast<std::size_t>(image.depth() / 8);
+  const std::size_t kept = static_cast<std::size_t>(image.width() - std::abs(shift.x())) * pixel_bytes;
+  const std::size_t from = static_cast<std::size_t>(std::max(0, -shift.x())) * pixel_bytes;
+  const std::size_t to = static_cast<std::size_t>(std::max(0, shift.x())) * pixel_bytes;
+  const int rows = image.height() - std::abs(shift.y());
+  for (int i = 0; i < rows; ++i) {
+    // Away from the side it moves to, so that no row is overwritten before it has moved.
+    const int target = shift.y() > 0 ? image.height() - 1 - i : i;
+    std::memmove(image.scanLine(target) + to, image.constScanLine(target - shift.y()) + from, kept);
+  }
 }
 
 }  // namespace
@@ -203,13 +218,7 @@ void RasterLayer::paint(QPainter& painter, const QTransform& widget_from_image, 
       const QTransform moved = picture_transform_ * QTransform::fromTranslate(shift.x(), shift.y());
       const QRect all = picture_.rect();
       const QRect kept = all.translated(shift) & all;
-      if (shifted_.size() != picture_.size()) shifted_ = QImage(picture_.size(), picture_.format());
-      const QRect from = kept.translated(-shift);
-      const cv::Mat source = matOf(std::as_const(picture_));
-      cv::Mat target = matOf(shifted_);
-      source(cv::Rect(from.x(), from.y(), from.width(), from.height()))
-          .copyTo(target(cv::Rect(kept.x(), kept.y(), kept.width(), kept.height())));
-      picture_.swap(shifted_);
+      shiftInPlace(picture_, shift);
       if (shift.x() != 0) {
         const int x = shift.x() > 0 ? 0 : kept.right() + 1;
         resample(moved, QRect(x, 0, std::abs(shift.x()), all.height()), background);
@@ -223,7 +232,6 @@ void RasterLayer::paint(QPainter& painter, const QTransform& widget_from_image, 
   } else {
     if (picture_.size() != device_size) {
       picture_ = QImage(device_size, QImage::Format_RGB32);
-      shifted_ = QImage();
     }
     resample(device_from_image, picture_.rect(), background);
     picture_transform_ = device_from_image;

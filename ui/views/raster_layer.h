@@ -50,7 +50,6 @@ class RasterLayer {
   // The last picture, device pixels.
   cv::Mat grey_;
   QImage picture_;
-  QImage shifted_;
   QTransform picture_transform_;
   QColor picture_background_;
   bool picture_complete_ = true;

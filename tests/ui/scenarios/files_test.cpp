@@ -3,7 +3,9 @@
 #include "cad2slam/io/projector_file.h"
 #include "ui/document/project_commands.h"
 #include "ui/main_window/exports.h"
+#include "ui/main_window/program_actions.h"
 #include "ui/main_window/recovery.h"
+#include "ui/main_window/report.h"
 #include "ui/support/documents.h"
 #include "ui/support/office_window.h"
 
@@ -244,6 +246,25 @@ class FilesTest : public QObject {
     QVERIFY(readProjectorFile(toPath(fixed)).value().node_slam[0].translation != warned.node_slam[0].translation);
     QVERIFY(office.window.exports().inspectProjector(path));
     QVERIFY(office.hasMessage(QStringLiteral("inspect")));
+  }
+
+  void theReportIsAPdfWithEveryAnchor() {
+    OfficeWindow office;
+    office.addExact(6);
+    QVERIFY(office.waitUntilSolved());
+    edit::rename(office.document(), 2, "pillar & <door>");
+    const QString html = reportHtml(office.session(), {{}, {QStringLiteral("look at anchor 3")}});
+    QVERIFY(html.contains(QStringLiteral("pillar &amp; &lt;door&gt;")));
+    QVERIFY(html.contains(QStringLiteral("look at anchor 3")));
+    for (const Anchor& anchor : office.document().anchors())
+      QVERIFY(html.contains(QStringLiteral("<td align=\"left\">%1</td>").arg(anchor.id)));
+    const QString path = sandbox_->path(QStringLiteral("report.pdf"));
+    QVERIFY(saveReport(office.window, path));
+    QFile file(path);
+    QVERIFY(file.open(QIODevice::ReadOnly));
+    QVERIFY(file.read(5) == "%PDF-" && file.size() > 10'000);
+    QVERIFY(!saveReport(office.window, sandbox_->path(QStringLiteral("no/such/folder/report.pdf"))));
+    QVERIFY(office.hasMessage(QStringLiteral("report")));
   }
 
   void scenario28_closeAsksOnlyWhereSomethingIsUnsaved() {

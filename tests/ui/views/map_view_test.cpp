@@ -351,6 +351,34 @@ class MapViewTest : public QObject {
     QVERIFY(!shown.view.isLoupeOn());
   }
 
+  void longPressShowsTheLoupeAndStillClicks() {
+    Shown shown(test::floorPlan(800, 600));
+    shown.view.setSnapping(false);
+    QSignalSpy clicked(&shown.view, &MapView::clicked);
+    QTest::mouseMove(&shown.view, QPoint(300, 200));
+    const QImage plain = shown.view.grab().toImage();
+    QTest::mousePress(&shown.view, Qt::LeftButton, {}, QPoint(300, 200));
+    QTRY_VERIFY(shown.view.grab().toImage() != plain);
+    QTest::mouseRelease(&shown.view, Qt::LeftButton, {}, QPoint(300, 200));
+    QCOMPARE(clicked.size(), 1);
+    QCOMPARE(shown.view.grab().toImage(), plain);
+  }
+
+  void anotherButtonDoesNotEndAGesture() {
+    Shown shown;
+    shown.view.setMarkers({markerAt(7, shown.middle())});
+    QSignalSpy finished(&shown.view, &MapView::dragFinished);
+    const QPoint start = shown.at(shown.middle());
+    QTest::mousePress(&shown.view, Qt::LeftButton, {}, start);
+    QTest::mouseMove(&shown.view, start + QPoint(30, 0));
+    QTest::mouseClick(&shown.view, Qt::MiddleButton, {}, start + QPoint(30, 0));
+    QTest::mouseClick(&shown.view, Qt::RightButton, {}, start + QPoint(30, 0));
+    QVERIFY(shown.view.isDragging());
+    QCOMPARE(finished.size(), 0);
+    QTest::mouseRelease(&shown.view, Qt::LeftButton, {}, start + QPoint(30, 0));
+    QCOMPARE(finished.size(), 1);
+  }
+
   void fitShowsTheWholeRasterAndStaysWhileResizing() {
     Shown shown;
     for (const QSize size : {QSize(640, 480), QSize(300, 700), QSize(900, 200)}) {

@@ -1,0 +1,184 @@
+// SPDX-FileCopyrightText: 2026 The CAD2SLAM authors
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/document/diagnosis.h"
+
+#include "cad2slam/geometry/similarity2.h"
+
+#include <QTest>
+
+#include <algorithm>
+#include <random>
+
+using namespace cad2slam;
+using Kind = Finding::Kind;
+
+namespace {
+
+/// Anchors over a 40 m x 25 m building, seen by a robot through a similarity and a few centimetres of noise.
+AnchorList building(std::size_t count, const Similarity2& slam_from_blueprint, double noise_m = 0.03) {
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> along(0.0, 40.0);
+  std::uniform_real_distribution<double> across(0.0, 25.0);
+  std::normal_distribution<double> noise(0.0, noise_m);
+  AnchorList anchors;
+  for (std::size_t i = 0; i < count; ++i) {
+    Anchor anchor;
+    anchor.id = static_cast<AnchorId>(i) + 1;
+    anchor.in_blueprint = {along(random), across(random)};
+    anchor.in_slam = slam_from_blueprint * anchor.in_blueprint + Eigen::Vector2d(noise(random), noise(random));
+    anchors.push_back(anchor);
+  }
+  return anchors;
+}
+
+DiagnosisInput inputOf(AnchorList anchors) {
+  DiagnosisInput input;
+  input.anchors = std::move(anchors);
+  input.blueprint_diagonal_m = 47.0;
+  return input;
+}
+
+const Finding* find(const std::vector<Finding>& findings, Kind kind) {
+  const auto found =
+      std::find_if(findings.begin(), findings.end(), [&](const Finding& each) { return each.kind == kind; });
+  return found == findings.end() ? nullptr : &*found;
+}
+
+const Similarity2 kTurned{1.0, 168.0 * kPi / 180.0, {12.0, -7.0}};
+
+}  // namespace
+
+class DiagnosisTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void nothingIsSaidOfGoodAnchors_data() {
+    QTest::addColumn<int>("count");
+    for (const int count : {0, 1, 3, 4, 12, 100}) QTest::addRow("%d", count) << count;
+  }
+  void nothingIsSaidOfGoodAnchors() {
+    QFETCH(int, count);
+    const auto findings = diagnose(inputOf(building(std::size_t(count), kTurned)));
+    QVERIFY2(findings.empty(), findings.empty() ? "" : qPrintable(QString::number(int(findings[0].kind))));
+  }
+
+  void scenario12_scale_data() {
+    QTest::addColumn<double>("scale");
+    for (const double scale : {0.5, 0.97, 1.03, 1.37, 2.0}) QTest::addRow("%g", scale) << scale;
+  }
+  void scenario12_scale() {
+    QFETCH(double, scale);
+    Similarity2 wrong = kTurned;
+    wrong.scale = scale;
+    const auto findings = diagnose(inputOf(building(12, wrong)));
+    QVERIFY(find(findings, Kind::kScale));
+    QVERIFY(std::abs(find(findings, Kind::kScale)->value / scale - 1.0) < 0.005);
+    DiagnosisInput unknown = inputOf(building(12, wrong));
+    unknown.scale.rule = ScaleRule::kLeastSquares;  // the installer knows that it is not to scale
+    QVERIFY(!find(diagnose(unknown), Kind::kScale));
+  }
+
+  void scenario12_mirrored() {
+    AnchorList anchors = building(6, kTurned);
+    for (Anchor& anchor : anchors) anchor.in_blueprint.x() = 40.0 - anchor.in_blueprint.x();
+    const auto findings = diagnose(inputOf(anchors));
+    QVERIFY(find(findings, Kind::kMirrored));
+    QVERIFY(!find(findings, Kind::kScale));  // one thing at a time
+    QVERIFY(find(findings, Kind::kMirrored)->other < 0.1);
+  }
+
+  void scenario10_swapped() {
+    AnchorList anchors = building(12, kTurned);
+    std::swap(anchors[3].in_slam, anchors[8].in_slam);
+    const auto findings = diagnose(inputOf(anchors));
+    QVERIFY(find(findings, Kind::kSwapped));
+    std::vector<AnchorId> named = find(findings, Kind::kSwapped)->anchors;
+    std::sort(named.begin(), named.end());
+    QCOMPARE(named, (std::vector<AnchorId>{4, 9}));
+    QVERIFY(!find(findings, Kind::kMirrored));
+  }
+
+  void oneBadAnchorIsNoSwapAndNoMirror() {
+    AnchorList anchors = building(12, kTurned);
+    anchors[5].in_slam += Eigen::Vector2d(6.0, -4.0);
+    const auto findings = diagnose(inputOf(anchors));
+    QVERIFY(!find(findings, Kind::kSwapped));
+    QVERIFY(!find(findings, Kind::kMirrored));
+    QVERIFY(!find(findings, Kind::kScale));
+  }
+
+  void scenario11_duplicates() {
+    AnchorList anchors = building(6, kTurned);
+    anchors[5].in_blueprint = anchors[2].in_blueprint;
+    anchors[5].in_slam = anchors[2].in_slam + Eigen::Vector2d(0.0, 1.8);
+    const Finding finding = *find(diagnose(inputOf(anchors)), Kind::kDuplicate);
+    QCOMPARE(finding.anchors, (std::vector<AnchorId>{3, 6}));
+    QVERIFY(std::abs(finding.value - 1.8) < 1e-9);
+    anchors[5].enabled = false;
+    QVERIFY(!find(diagnose(inputOf(anchors)), Kind::kDuplicate));
+  }
+
+  void scenario11_line() {
+    AnchorList anchors = building(5, kTurned);
+    for (Anchor& anchor : anchors) {
+      anchor.in_blueprint.y() = 3.0;
+      anchor.in_slam = kTurned * anchor.in_blueprint;
+    }
+    QVERIFY(find(diagnose(inputOf(anchors)), Kind::kCollinear));
+  }
+
+  void twoAnchors() {
+    AnchorList anchors = building(2, kTurned);
+    anchors[0].in_blueprint = {0, 0};
+    anchors[1].in_blueprint = {20.0, 0};
+    anchors[0].in_slam = {0, 0};
+    anchors[1].in_slam = {0, 20.62};
+    const Finding lengths = *find(diagnose(inputOf(anchors)), Kind::kLengths);
+    QCOMPARE(lengths.value, 20.0);
+    QCOMPARE(lengths.other, 20.62);
+    anchors[1].in_slam = {0, 20.1};
+    QVERIFY(diagnose(inputOf(anchors)).empty());
+    anchors[1].in_blueprint = {1.0, 0};
+    QVERIFY(find(diagnose(inputOf(anchors)), Kind::kClose));
+  }
+
+  void anOutlierIsNamedByItsLeaveOneOutError() {
+    const AnchorList anchors = building(8, kTurned);
+    Solution solution;
+    for (const Anchor& anchor : anchors) {
+      AnchorFit fit;
+      fit.id = anchor.id;
+      fit.leave_one_out_m = anchor.id == 6 ? 2.0 : 0.05;
+      solution.anchors.push_back(fit);
+    }
+    DiagnosisInput input = inputOf(anchors);
+    input.solution = &solution;
+    QCOMPARE(find(diagnose(input), Kind::kOutlier)->anchors, std::vector<AnchorId>{6});
+  }
+
+  void aPlainSimilarityIsSaidToBeEnough() {
+    const AnchorList anchors = building(10, kTurned);
+    Solution solution;
+    for (const Anchor& anchor : anchors) {
+      AnchorFit fit;
+      fit.id = anchor.id;
+      fit.leave_one_out_m = 0.2;
+      solution.anchors.push_back(fit);
+    }
+    DiagnosisInput input = inputOf(anchors);
+    input.solution = &solution;
+    QVERIFY(find(diagnose(input), Kind::kSimilarityEnough));
+  }
+
+  void notANumberAndHugeNumbersAreSurvived() {
+    AnchorList anchors = building(6, kTurned);
+    anchors[1].in_slam.x() = std::nan("");
+    anchors[2].in_blueprint.x() = 1e300;
+    (void)diagnose(inputOf(anchors));
+    for (Anchor& anchor : anchors) anchor.in_blueprint = {1.0, 1.0};
+    (void)diagnose(inputOf(anchors));
+  }
+};
+
+QTEST_GUILESS_MAIN(DiagnosisTest)
+#include "diagnosis_test.moc"
