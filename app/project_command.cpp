@@ -49,10 +49,11 @@ bool isWord(std::string_view text) {
 }
 
 /// Reads `x y [theta [status]]`, separated by commas, semicolons, tabs or spaces; nullopt when the line says anything
-/// else. The status is accepted, so that the output of one run is input of the next.
+/// else. The status is accepted, so that the output of one run is input of the next; only with one may values be nan.
 std::optional<Pose2> parsePose(std::string_view line) {
   std::array<double, 3> values{};
   std::size_t count = 0;
+  bool has_status = false;
   const char* at = line.data();
   const char* const end = line.data() + line.size();
   while (true) {
@@ -62,16 +63,17 @@ std::optional<Pose2> parsePose(std::string_view line) {
       const char* const last = std::find_if(at, end, isSeparator);
       if (!isWord({at, static_cast<std::size_t>(last - at)}) || !std::all_of(last, end, isSeparator))
         return std::nullopt;
+      has_status = true;
       break;
     }
     if (*at == '+') ++at;
     const auto [next, error] = std::from_chars(at, end, values[count]);
-    if (error != std::errc{} || (next != end && !isSeparator(*next)) || !std::isfinite(values[count]))
-      return std::nullopt;
+    if (error != std::errc{} || (next != end && !isSeparator(*next))) return std::nullopt;
     at = next;
     ++count;
   }
-  if (count < 2) return std::nullopt;
+  const bool finite = std::all_of(values.begin(), values.end(), [](double value) { return std::isfinite(value); });
+  if (count < 2 || (!finite && !has_status)) return std::nullopt;
   return Pose2{{values[0], values[1]}, values[2]};
 }
 
