@@ -77,6 +77,7 @@ Result<void> applyOverrides(const std::vector<std::string>& overrides, SolverSet
     } else {
       return fail(ErrorCode::kOutOfDomain, "there is no weight of this name", "--set " + name);
     }
+    settings.stiffness = Stiffness::kGiven;  // or the weight would be chosen again
   }
   return {};
 }

@@ -57,6 +57,12 @@ std::string nameOf(Stiffness stiffness) {
   return "given";
 }
 
+std::string nameOf(const Solution& solution) {
+  std::string name = nameOf(solution.settings.stiffness);
+  if (solution.plate_share > 0.0) name += fmt::format(", {:.0f} % thin plate", 100.0 * solution.plate_share);
+  return name;
+}
+
 Result<double> positiveNumber(const std::string& text, const std::string& option) {
   double value = 0.0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
@@ -126,6 +132,7 @@ nlohmann::ordered_json toJson(const SolvedJob& job, const ProjectorData& project
           {"anchors_used", solution.anchors_used},
           {"model", projector.info.model},
           {"stiffness", nameOf(solution.settings.stiffness)},
+          {"plate_share", solution.plate_share},
           {"scale", solution.global_fit.scale},
           {"rotation_rad", wrapAngle(solution.global_fit.heading)},
           {"cost", solution.cost},
@@ -149,11 +156,10 @@ void printReport(const SolvedJob& job, const ProjectorData& projector, const std
   const QualityInfo& quality = projector.info.quality;
   fmt::print("{} nodes, {} edges, cells of {:.3g} m; {} of {} anchors used\n", job.mesh->nodeCount(),
              job.mesh->edges().size(), job.mesh->lattice().cell_size, solution.anchors_used, solution.anchors.size());
-  fmt::print(
-      "{} model{}, scale {:.4f}, rotation {:.2f} deg; {} iterations in {:.3f} s\n", projector.info.model,
-      solution.settings.model == Model::kStretch ? " (" + nameOf(solution.settings.stiffness) + ")" : std::string(),
-      solution.global_fit.scale, wrapAngle(solution.global_fit.heading) * 180.0 / kPi, solution.iterations,
-      job.seconds.solve);
+  fmt::print("{} model{}, scale {:.4f}, rotation {:.2f} deg; {} iterations in {:.3f} s\n", projector.info.model,
+             solution.settings.model == Model::kStretch ? " (" + nameOf(solution) + ")" : std::string(),
+             solution.global_fit.scale, wrapAngle(solution.global_fit.heading) * 180.0 / kPi, solution.iterations,
+             job.seconds.solve);
   fmt::print("residual at the anchors: rms {:.3f} m, max {:.3f} m\n", quality.anchor_rms_m, quality.anchor_max_m);
   if (quality.leave_one_out_max_m > 0.0) {
     fmt::print("without the anchor itself: mean {:.3f} m, median {:.3f} m, max {:.3f} m\n",
@@ -228,6 +234,10 @@ void addSolveCommand(CLI::App& app, ActionSlot& chosen) {
   anchors->needs(blueprint)->excludes(project);
   command->add_option("--model", options->model, "stretch (default) or rigid, the paper's")
       ->check(CLI::IsMember({"stretch", "rigid"}));
+  command
+      ->add_option("--stiffness", options->stiffness,
+                   "Of the stretch model: auto (default), balanced, smooth (halls that bend) or local (long corridors)")
+      ->transform(CLI::CheckedTransformer(kStiffnesses));
   command->add_option(
       "--scale", options->scale,
       "auto: the plan claims to be to scale; unknown: least squares; or SLAM metres per blueprint metre");

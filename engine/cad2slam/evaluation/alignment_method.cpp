@@ -4,6 +4,7 @@
 
 #include "cad2slam/evaluation/baselines.h"
 #include "cad2slam/projection/make_projector.h"
+#include "cad2slam/solver/global_fit.h"
 
 #include <utility>
 
@@ -46,14 +47,6 @@ std::string methodLabel(AlignmentMethod method) {
     default:
       return methodKey(method);
   }
-}
-
-std::vector<PointPair> enabledPairs(const AnchorList& anchors) {
-  std::vector<PointPair> pairs;
-  for (const Anchor& anchor : anchors) {
-    if (anchor.enabled) pairs.push_back({anchor.in_blueprint, anchor.in_slam});
-  }
-  return pairs;
 }
 
 MethodFitter::MethodFitter(std::shared_ptr<const Mesh> mesh, SolverSettings stretch)

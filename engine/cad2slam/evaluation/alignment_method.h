@@ -11,7 +11,6 @@
 
 #include "cad2slam/anchors/anchor.h"
 #include "cad2slam/core/result.h"
-#include "cad2slam/geometry/similarity_fit.h"
 #include "cad2slam/mesh/mesh.h"
 #include "cad2slam/projection/projector.h"
 #include "cad2slam/solver/mesh_solver.h"
@@ -59,8 +58,5 @@ class MethodFitter {
   SolverSettings stretch_;
   MeshSolver solver_;
 };
-
-/// The enabled anchors as pairs for the closed-form fits.
-[[nodiscard]] std::vector<PointPair> enabledPairs(const AnchorList& anchors);
 
 }  // namespace cad2slam

@@ -9,8 +9,6 @@
 #include <cmath>
 #include <limits>
 #include <string>
-#include <system_error>
-#include <thread>
 #include <utility>
 #include <vector>
 
@@ -39,6 +37,12 @@ Projection noPose(ProjectionStatus status) {
   return {{{kNaN, kNaN}, kNaN}, status};
 }
 
+/// Tiles this close belong together: their images overlap only where the mesh folds.
+bool isSameSheet(const TileCoordinate& a, const TileCoordinate& b) {
+  constexpr std::int32_t kSameSheet = 3;
+  return std::abs(a.column - b.column) <= kSameSheet && std::abs(a.row - b.row) <= kSameSheet;
+}
+
 tl::unexpected<Error> malformedNode(std::size_t node, const std::string& what) {
   return fail(ErrorCode::kMalformed, "node " + std::to_string(node) + " of the projector " + what);
 }
@@ -50,7 +54,7 @@ class Projector::Impl {
   static Result<std::shared_ptr<const Impl>> create(const ProjectorInfo& info, const ProjectorArrays& arrays);
 
   [[nodiscard]] Projection forward(const Pose2& pose, OutsidePolicy outside) const;
-  [[nodiscard]] Projection backward(const Pose2& pose, OutsidePolicy outside) const;
+  [[nodiscard]] Projection backward(const Pose2& pose, OutsidePolicy outside, const Vector2d* hint) const;
   [[nodiscard]] Matrix2d jacobian(const Vector2d& point) const;
   [[nodiscard]] std::size_t foldedTileCount() const;
   [[nodiscard]] double distanceToMesh(const Vector2d& point) const;
@@ -82,13 +86,15 @@ class Projector::Impl {
   [[nodiscard]] Vector2d nearestPlaceOnMesh(const Vector2d& cells) const;
   [[nodiscard]] Extended extended(const Vector2d& point) const;
   [[nodiscard]] Preimage preimageFrom(const Vector2d& start, const Vector2d& target) const;
-  [[nodiscard]] bool hasOtherPreimage(const Preimage& found, const Vector2d& target,
-                                      const SpatialHash::Candidates& seeds) const;
+  [[nodiscard]] Preimage searchPreimage(const Vector2d& target, OutsidePolicy outside) const;
+  [[nodiscard]] bool mayCover(std::uint32_t node, double squared_distance) const;
+  [[nodiscard]] bool hasOtherPreimage(const Preimage& found, const Vector2d& target) const;
   [[nodiscard]] Vector2d centerOf(std::uint32_t node) const {
     return info.lattice.blueprintFromCells(Vector2d(tiles_[node].column + 0.5, tiles_[node].row + 0.5));
   }
   [[nodiscard]] bool folds(std::uint32_t node) const;
   [[nodiscard]] bool foldsNear(std::uint32_t node) const;
+  [[nodiscard]] bool overlapsNear(std::uint32_t node) const;
 
   TileIndex index_;
   LargeVector<TileCoordinate> tiles_;
@@ -103,6 +109,7 @@ class Projector::Impl {
   struct FoldMemory {
     std::atomic<Known> folds;
     std::atomic<Known> folds_near;
+    std::atomic<Known> overlaps_near;
   };
   mutable std::unique_ptr<FoldMemory[]> fold_memory_;
 };
@@ -282,21 +289,33 @@ Projector::Impl::Preimage Projector::Impl::preimageFrom(const Vector2d& start, c
   return preimage;
 }
 
-Projection Projector::Impl::backward(const Pose2& pose, OutsidePolicy outside) const {
-  if (!pose.isFinite()) return noPose(ProjectionStatus::kInvalid);
-  const Vector2d& target = pose.translation;
-  const SpatialHash::Candidates seeds = seeds_.near(target);
+/// Newton's method from the middles of the tiles whose images are nearest, until one leads to a place on the mesh.
+Projector::Impl::Preimage Projector::Impl::searchPreimage(const Vector2d& target, OutsidePolicy outside) const {
   Preimage best;
   const auto tryFrom = [&](std::uint32_t node) {
     const Preimage preimage = preimageFrom(centerOf(node), target);
     const bool better = preimage.converged && (!best.converged || (preimage.inside && !best.inside));
     if (better) best = preimage;
-    return best.converged && best.inside;
   };
-  for (std::size_t k = 0; k < seeds.count; ++k) {
-    if (tryFrom(seeds.nodes[k])) break;
+  const SpatialHash::Candidates seeds = seeds_.near(target);
+  for (std::size_t k = 0; k < seeds.count && !(best.converged && best.inside); ++k) {
+    // Once there is an answer beyond the mesh, only tiles that may cover the target are worth trying.
+    if (best.converged && !mayCover(seeds.nodes[k], seeds.squared_distances[k])) continue;
+    tryFrom(seeds.nodes[k]);
   }
-  if (!best.converged && outside == OutsidePolicy::kRigid && seeds.count == 0) (void)tryFrom(seeds_.nearest(target));
+  if (!best.converged && outside == OutsidePolicy::kRigid && seeds.count == 0) tryFrom(seeds_.nearest(target));
+  return best;
+}
+
+Projection Projector::Impl::backward(const Pose2& pose, OutsidePolicy outside, const Vector2d* hint) const {
+  if (!pose.isFinite()) return noPose(ProjectionStatus::kInvalid);
+  const Vector2d& target = pose.translation;
+  Preimage best;
+  if (hint != nullptr) {
+    const Preimage from_hint = preimageFrom(*hint, target);
+    if (from_hint.converged && from_hint.inside) best = from_hint;  // otherwise a bad hint, which changes nothing
+  }
+  if (!best.converged) best = searchPreimage(target, outside);
   if (!best.converged) return noPose(ProjectionStatus::kOutside);
   if (!best.inside) {
     // Rounding may put the preimage of a border place a hair outside: that is still the border.
@@ -309,26 +328,32 @@ Projection Projector::Impl::backward(const Pose2& pose, OutsidePolicy outside) c
     }
   }
   if (!best.inside && outside == OutsidePolicy::kError) return noPose(ProjectionStatus::kOutside);
-  if (!(best.blend.jacobian.determinant() > 0.0) || (best.inside && hasOtherPreimage(best, target, seeds))) {
+  if (!(best.blend.jacobian.determinant() > 0.0) || (best.inside && hasOtherPreimage(best, target))) {
     return noPose(ProjectionStatus::kFolded);
   }
   return {{best.point, headingAfter(best.blend.linear.inverse(), pose.heading)},
           best.inside ? ProjectionStatus::kInside : ProjectionStatus::kExtrapolated};
 }
 
+/// Whether a tile may cover a place of the SLAM frame this far from the tile's middle: a bound of what its half
+/// diagonal may become, with room for the curvature of the blend.
+bool Projector::Impl::mayCover(std::uint32_t node, double squared_distance) const {
+  constexpr double kRoom = 1.5;
+  const double half_diagonal = 0.5 * info.lattice.cell_size * nodes[node].linear.norm();
+  return squared_distance <= kRoom * kRoom * half_diagonal * half_diagonal;
+}
+
 /// Whether another place of the mesh lands on the same target: where the mesh folds, or where two distant parts of it
 /// overlap in the SLAM frame.
-bool Projector::Impl::hasOtherPreimage(const Preimage& found, const Vector2d& target,
-                                       const SpatialHash::Candidates& seeds) const {
-  constexpr std::int32_t kSameSheet = 3;  // tiles
+bool Projector::Impl::hasOtherPreimage(const Preimage& found, const Vector2d& target) const {
   TileCoordinate tile;
   (void)tileOf(cellsOf(found.point), tile);
   const std::uint32_t own = index_.at(tile.column, tile.row);
   const bool folds = own != TileIndex::kNone && foldsNear(own);
+  if (!folds && (own == TileIndex::kNone || !overlapsNear(own))) return false;
+  const SpatialHash::Candidates seeds = seeds_.near(target);
   for (std::size_t k = 0; k < seeds.count; ++k) {
-    const TileCoordinate other = tiles_[seeds.nodes[k]];
-    const bool far = std::abs(other.column - tile.column) > kSameSheet || std::abs(other.row - tile.row) > kSameSheet;
-    if (!far && !folds) continue;
+    if (!folds && isSameSheet(tiles_[seeds.nodes[k]], tile)) continue;
     const Preimage preimage = preimageFrom(centerOf(seeds.nodes[k]), target);
     if (preimage.converged && preimage.inside &&
         (preimage.point - found.point).norm() > 1e-6 * info.lattice.cell_size) {
@@ -366,6 +391,17 @@ bool Projector::Impl::foldsNear(std::uint32_t node) const {
       found = found || (other != TileIndex::kNone && folds(other));
     }
   }
+  memory.store(found ? Known::kYes : Known::kNo, std::memory_order_relaxed);
+  return found;
+}
+
+/// Whether a distant part of the mesh comes so close in the SLAM frame that both may cover one place.
+bool Projector::Impl::overlapsNear(std::uint32_t node) const {
+  std::atomic<Known>& memory = fold_memory_[node].overlaps_near;
+  if (const Known known = memory.load(std::memory_order_relaxed); known != Known::kNothing) return known == Known::kYes;
+  const Vector2d place = nodes[node].linear * centerOf(node) + nodes[node].offset;
+  const bool found =
+      seeds_.anyAround(place, [&](std::uint32_t other) { return !isSameSheet(tiles_[other], tiles_[node]); });
   memory.store(found ? Known::kYes : Known::kNo, std::memory_order_relaxed);
   return found;
 }
@@ -428,47 +464,17 @@ Projection Projector::slamFromBlueprint(const Pose2& pose_in_blueprint, OutsideP
   return impl_->forward(pose_in_blueprint, outside);
 }
 Projection Projector::blueprintFromSlam(const Pose2& pose_in_slam, OutsidePolicy outside) const noexcept {
-  return impl_->backward(pose_in_slam, outside);
+  return impl_->backward(pose_in_slam, outside, nullptr);
+}
+Projection Projector::blueprintFromSlam(const Pose2& pose_in_slam, OutsidePolicy outside,
+                                        const Eigen::Vector2d& hint_in_blueprint) const noexcept {
+  return impl_->backward(pose_in_slam, outside, &hint_in_blueprint);
 }
 Projection Projector::slamFromBlueprint(const Pose2& pose_in_blueprint) const noexcept {
   return impl_->forward(pose_in_blueprint, impl_->info.outside);
 }
 Projection Projector::blueprintFromSlam(const Pose2& pose_in_slam) const noexcept {
-  return impl_->backward(pose_in_slam, impl_->info.outside);
-}
-
-namespace {
-
-template <class Query>
-void projectAll(const Pose2* in, Projection* out, std::size_t count, unsigned threads, const Query& query) {
-  constexpr std::size_t kWorthAThread = 4096;
-  if (threads == 0) threads = std::max(1U, std::thread::hardware_concurrency());
-  const std::size_t parts = std::clamp<std::size_t>(count / kWorthAThread, 1, threads);
-  const auto part = [&](std::size_t k) {
-    for (std::size_t i = count * k / parts; i < count * (k + 1) / parts; ++i) out[i] = query(in[i]);
-  };
-  std::vector<std::thread> workers;
-  workers.reserve(parts - 1);
-  try {
-    while (workers.size() + 1 < parts) workers.emplace_back(part, workers.size() + 1);
-  } catch (const std::system_error&) {
-    // No thread to be had: this one does what is left.
-  }
-  for (std::size_t k = workers.size() + 1; k < parts; ++k) part(k);
-  part(0);
-  for (std::thread& worker : workers) worker.join();
-}
-
-}  // namespace
-
-void Projector::slamFromBlueprint(const Pose2* in, Projection* out, std::size_t count, OutsidePolicy outside,
-                                  unsigned threads) const {
-  projectAll(in, out, count, threads, [&](const Pose2& pose) { return impl_->forward(pose, outside); });
-}
-
-void Projector::blueprintFromSlam(const Pose2* in, Projection* out, std::size_t count, OutsidePolicy outside,
-                                  unsigned threads) const {
-  projectAll(in, out, count, threads, [&](const Pose2& pose) { return impl_->backward(pose, outside); });
+  return impl_->backward(pose_in_slam, impl_->info.outside, nullptr);
 }
 
 Eigen::Matrix2d Projector::jacobian(const Eigen::Vector2d& point_in_blueprint) const noexcept {

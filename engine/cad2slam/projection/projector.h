@@ -62,6 +62,10 @@ class Projector {
 
   [[nodiscard]] Projection slamFromBlueprint(const Pose2& pose_in_blueprint, OutsidePolicy outside) const noexcept;
   [[nodiscard]] Projection blueprintFromSlam(const Pose2& pose_in_slam, OutsidePolicy outside) const noexcept;
+  /// As above; saves the search where the answer is near `hint_in_blueprint` [m], as along a path. A bad hint costs
+  /// time but changes nothing.
+  [[nodiscard]] Projection blueprintFromSlam(const Pose2& pose_in_slam, OutsidePolicy outside,
+                                             const Eigen::Vector2d& hint_in_blueprint) const noexcept;
   /// As above, with the policy the projector was made with.
   [[nodiscard]] Projection slamFromBlueprint(const Pose2& pose_in_blueprint) const noexcept;
   [[nodiscard]] Projection blueprintFromSlam(const Pose2& pose_in_slam) const noexcept;

@@ -5,11 +5,14 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <opencv2/core/utility.hpp>
 #include <opencv2/imgproc.hpp>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace cad2slam {
@@ -19,14 +22,22 @@ using Eigen::Vector2d;
 
 constexpr int kBlock_px = 16;
 constexpr int kBand_px = 128;  // rows that are mapped and drawn at once: bounds the memory of the look-up
+constexpr int kSmallestBeyond_px = 4;
 constexpr double kLargestError_px = 0.25;
 constexpr float kNowhere = -1e6F;  // far outside any source, so cv::remap takes the outside value
 
 /// Where a pixel of the target comes from.
 struct SourcePixel {
   Vector2d pixel = Vector2d::Zero();
+  Vector2d metric = Vector2d::Zero();
   bool drawn = false;
+  bool beyond = false;  ///< the mesh, as walls are
 };
+
+/// Largest singular value.
+double largestStretch(const Eigen::Matrix2d& a) {
+  return 0.5 * (std::hypot(a(0, 0) + a(1, 1), a(1, 0) - a(0, 1)) + std::hypot(a(0, 0) - a(1, 1), a(1, 0) + a(0, 1)));
+}
 
 class WarpLookUp {
  public:
@@ -38,21 +49,48 @@ class WarpLookUp {
 
   /// Fills the rows [first_row, first_row + map.rows) of a CV_32FC2 look-up for cv::remap.
   void fill(int first_row, cv::Mat& map) const {
+    const auto columns = static_cast<std::size_t>((map.cols + kBlock_px - 1) / kBlock_px);
+    CornerRow above(columns + 1);
+    CornerRow below(columns + 1);
     for (int row = 0; row < map.rows; row += kBlock_px) {
-      for (int column = 0; column < map.cols; column += kBlock_px) {
-        const cv::Rect block(column, row, std::min(kBlock_px, map.cols - column), std::min(kBlock_px, map.rows - row));
-        if (!isReachable(column / kBlock_px, (first_row + row) / kBlock_px)) {
-          map(block).setTo(cv::Scalar::all(kNowhere));
+      for (std::size_t column = 0; column < columns; ++column) {
+        const int x = static_cast<int>(column) * kBlock_px;
+        if (!isReachable(x / kBlock_px, (first_row + row) / kBlock_px)) {
+          map(cv::Rect(x, row, kBlock_px, kBlock_px) & cv::Rect({}, map.size())).setTo(cv::Scalar::all(kNowhere));
           continue;
         }
-        fillBlock(first_row, block, map);
+        const SourcePixel start = column > 0 && above[column - 1] ? *above[column - 1] : SourcePixel();
+        const int y = first_row + row;
+        const Corners corners = {corner(above[column], x, y, start), corner(above[column + 1], x + kBlock_px, y, start),
+                                 corner(below[column], x, y + kBlock_px, start),
+                                 corner(below[column + 1], x + kBlock_px, y + kBlock_px, start)};
+        fillSquare({x, row, kBlock_px}, first_row, corners, map);
       }
+      std::swap(above, below);
+      std::fill(below.begin(), below.end(), std::nullopt);
     }
   }
 
  private:
+  /// Where the middles of four pixels come from: upper left, upper right, lower left, lower right.
+  using Corners = std::array<SourcePixel, 4>;
+  /// Corners of one row of blocks, shared with the row above; empty where nobody has asked yet.
+  using CornerRow = std::vector<std::optional<SourcePixel>>;
+
+  /// A square of pixels, its upper left one in the look-up being filled.
+  struct Square {
+    int x = 0;
+    int y = 0;
+    int side = 0;
+  };
+
+  const SourcePixel& corner(std::optional<SourcePixel>& known, int x, int y, const SourcePixel& neighbour) const {
+    if (!known) known = lookUp(x + 0.5, y + 0.5, neighbour);
+    return *known;
+  }
+
   /// (column, row) is a continuous pixel of the target.
-  [[nodiscard]] SourcePixel lookUp(double column, double row) const {
+  [[nodiscard]] SourcePixel lookUp(double column, double row, const SourcePixel& neighbour = {}) const {
     const Pose2 place{target_.metricFromPixel({column, row}), 0.0};
     Projection there;
     double beyond_m = 0.0;
@@ -60,13 +98,15 @@ class WarpLookUp {
       beyond_m = projector_.distanceToMesh(place.translation);
       if (beyond_m <= reach_m_) there = projector_.slamFromBlueprint(place, OutsidePolicy::kRigid);
     } else {
-      there = projector_.blueprintFromSlam(place, OutsidePolicy::kRigid);
+      there = neighbour.drawn && !neighbour.beyond
+                  ? projector_.blueprintFromSlam(place, OutsidePolicy::kRigid, neighbour.metric)
+                  : projector_.blueprintFromSlam(place, OutsidePolicy::kRigid);
       if (there.status == ProjectionStatus::kExtrapolated) {
         beyond_m = projector_.distanceToMesh(there.pose.translation);
       }
     }
     if (!there.ok() || beyond_m > reach_m_) return {};
-    return {source_.pixelFromMetric(there.pose.translation), true};
+    return {source_.pixelFromMetric(there.pose.translation), there.pose.translation, true, beyond_m > 0.0};
   }
 
   static void write(cv::Vec2f& entry, const SourcePixel& from) {
@@ -74,55 +114,56 @@ class WarpLookUp {
                        : cv::Vec2f(kNowhere, kNowhere);
   }
 
-  /// Interpolates between the corners of a block where that is exact enough, and halves the block where it is not.
-  void fillBlock(int first_row, const cv::Rect& block, cv::Mat& map) const {
-    const double left = block.x + 0.5;
-    const double top = first_row + block.y + 0.5;
-    if (block.width <= 2 || block.height <= 2) {
-      for (int row = 0; row < block.height; ++row) {
-        for (int column = 0; column < block.width; ++column) {
-          write(map.at<cv::Vec2f>(block.y + row, block.x + column), lookUp(left + column, top + row));
-        }
-      }
+  /// Interpolates between the corners of a square where that is exact enough, and quarters it where it is not.
+  void fillSquare(const Square& square, int first_row, const Corners& corners, cv::Mat& map) const {
+    if (square.x >= map.cols || square.y >= map.rows) return;
+    if (square.side == 1) return write(map.at<cv::Vec2f>(square.y, square.x), corners[0]);
+    const double left = square.x + 0.5;
+    const double top = first_row + square.y + 0.5;
+    const double half = 0.5 * square.side;
+    const SourcePixel middle = lookUp(left + half, top + half, corners[0]);
+    if (!middle.drawn && std::none_of(corners.begin(), corners.end(), isDrawn)) {
+      map(rectOf(square, map)).setTo(cv::Scalar::all(kNowhere));
       return;
     }
-    const double width = block.width - 1;
-    const double height = block.height - 1;
-    const SourcePixel corners[4] = {lookUp(left, top), lookUp(left + width, top), lookUp(left, top + height),
-                                    lookUp(left + width, top + height)};
-    const SourcePixel middle = lookUp(left + 0.5 * width, top + 0.5 * height);
-    const bool all = std::all_of(std::begin(corners), std::end(corners), [](const SourcePixel& c) { return c.drawn; });
-    const bool none =
-        std::none_of(std::begin(corners), std::end(corners), [](const SourcePixel& c) { return c.drawn; });
-    if (none && !middle.drawn) {
-      map(block).setTo(cv::Scalar::all(kNowhere));
-      return;
+    if (middle.drawn && std::all_of(corners.begin(), corners.end(), isDrawn) && isExact(square, corners, middle)) {
+      return interpolate(square, corners, map);
     }
-    const Vector2d mean = 0.25 * (corners[0].pixel + corners[1].pixel + corners[2].pixel + corners[3].pixel);
-    if (all && middle.drawn && (mean - middle.pixel).cwiseAbs().maxCoeff() < kLargestError_px) {
-      interpolate(block, corners, map);
-      return;
-    }
-    const int half_width = (block.width + 1) / 2;
-    const int half_height = (block.height + 1) / 2;
-    for (const int y : {0, half_height}) {
-      for (const int x : {0, half_width}) {
-        fillBlock(first_row,
-                  {block.x + x, block.y + y, x == 0 ? half_width : block.width - half_width,
-                   y == 0 ? half_height : block.height - half_height},
-                  map);
-      }
-    }
+    const SourcePixel up = lookUp(left + half, top, middle);
+    const SourcePixel down = lookUp(left + half, top + square.side, middle);
+    const SourcePixel west = lookUp(left, top + half, middle);
+    const SourcePixel east = lookUp(left + square.side, top + half, middle);
+    const int side = square.side / 2;
+    fillSquare({square.x, square.y, side}, first_row, {corners[0], up, west, middle}, map);
+    fillSquare({square.x + side, square.y, side}, first_row, {up, corners[1], middle, east}, map);
+    fillSquare({square.x, square.y + side, side}, first_row, {west, middle, corners[2], down}, map);
+    fillSquare({square.x + side, square.y + side, side}, first_row, {middle, east, down, corners[3]}, map);
   }
 
-  static void interpolate(const cv::Rect& block, const SourcePixel (&corners)[4], cv::Mat& map) {
-    for (int row = 0; row < block.height; ++row) {
-      const double down = static_cast<double>(row) / (block.height - 1);
+  static bool isDrawn(const SourcePixel& pixel) { return pixel.drawn; }
+
+  /// Halfway between two rooms the continuation jumps from one to the other: not worth a look-up for each pixel.
+  static bool isExact(const Square& square, const Corners& corners, const SourcePixel& middle) {
+    const Vector2d mean = 0.25 * (corners[0].pixel + corners[1].pixel + corners[2].pixel + corners[3].pixel);
+    const double error_px = (mean - middle.pixel).cwiseAbs().maxCoeff();
+    const bool all_beyond =
+        middle.beyond && std::all_of(corners.begin(), corners.end(), [](const SourcePixel& c) { return c.beyond; });
+    return error_px < kLargestError_px || (all_beyond && square.side <= kSmallestBeyond_px);
+  }
+
+  static cv::Rect rectOf(const Square& square, const cv::Mat& map) {
+    return cv::Rect(square.x, square.y, square.side, square.side) & cv::Rect({}, map.size());
+  }
+
+  static void interpolate(const Square& square, const Corners& corners, cv::Mat& map) {
+    const cv::Rect inside = rectOf(square, map);
+    for (int row = 0; row < inside.height; ++row) {
+      const double down = static_cast<double>(row) / square.side;
       const Vector2d first = (1.0 - down) * corners[0].pixel + down * corners[2].pixel;
       const Vector2d last = (1.0 - down) * corners[1].pixel + down * corners[3].pixel;
-      const Vector2d step = (last - first) / (block.width - 1);
-      cv::Vec2f* entries = map.ptr<cv::Vec2f>(block.y + row) + block.x;
-      for (int column = 0; column < block.width; ++column) {
+      const Vector2d step = (last - first) / square.side;
+      cv::Vec2f* entries = map.ptr<cv::Vec2f>(square.y + row) + square.x;
+      for (int column = 0; column < inside.width; ++column) {
         const Vector2d pixel = first + column * step;
         entries[column] = {static_cast<float>(pixel.x() - 0.5), static_cast<float>(pixel.y() - 0.5)};
       }
@@ -138,8 +179,8 @@ class WarpLookUp {
     for (const Vector2d& middle : projector_.tileMiddles()) {
       const Projection there = projector_.slamFromBlueprint({middle, 0.0}, OutsidePolicy::kRigid);
       if (!there.ok()) continue;
-      const double stretch = projector_.jacobian(middle).norm();
-      const double radius_px = (0.75 * cell_m + reach_m_) * stretch / target_.resolution();
+      const double radius_px =
+          (0.75 * cell_m + reach_m_) * largestStretch(projector_.jacobian(middle)) / target_.resolution();
       const Vector2d pixel = target_.pixelFromMetric(there.pose.translation);
       const auto blockOf = [](double px, int count) {
         return static_cast<int>(std::clamp(std::floor(px / kBlock_px), -1.0, static_cast<double>(count)));

@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -66,18 +67,39 @@ class SpatialHash {
     return found;
   }
 
-  /// The nearest of all points; linear in their number.
-  [[nodiscard]] std::uint32_t nearest(const Eigen::Vector2d& place) const {
-    std::uint32_t best = 0;
-    double best_squared = std::numeric_limits<double>::infinity();
-    for (const Entry& entry : entries_) {
-      const double squared = squaredDistance(entry, place);
-      if (squared < best_squared) {
-        best_squared = squared;
-        best = entry.node;
+  /// Whether `wanted(i)` holds for any point i within one bucket's side of the place.
+  template <class Wanted>
+  [[nodiscard]] bool anyAround(const Eigen::Vector2d& place, const Wanted& wanted) const {
+    for (std::int64_t dy = -1; dy <= 1; ++dy) {
+      for (std::int64_t dx = -1; dx <= 1; ++dx) {
+        const std::size_t slot = slotOf(bucketOf(place.x()) + dx, bucketOf(place.y()) + dy);
+        for (std::uint32_t e = begin_[slot]; e < begin_[slot + 1]; ++e) {
+          if (squaredDistance(entries_[e], place) <= bucket_size_ * bucket_size_ && wanted(entries_[e].node))
+            return true;
+        }
       }
     }
-    return best;
+    return false;
+  }
+
+  /// The nearest of all points: constant time within some buckets of them, linear in their number far away.
+  [[nodiscard]] std::uint32_t nearest(const Eigen::Vector2d& place) const {
+    constexpr std::int64_t kRings = 8;
+    Nearest best;
+    for (std::int64_t ring = 0; ring <= kRings; ++ring) {
+      // What is not yet seen is at least ring - 1 buckets away.
+      const double unseen = static_cast<double>(ring - 1) * bucket_size_;
+      if (ring > 0 && unseen * unseen >= best.squared_distance) return best.node;
+      for (std::int64_t dy = -ring; dy <= ring; ++dy) {
+        const std::int64_t step = std::abs(dy) == ring ? 1 : 2 * ring;
+        for (std::int64_t dx = -ring; dx <= ring; dx += std::max<std::int64_t>(1, step)) {
+          const std::size_t slot = slotOf(bucketOf(place.x()) + dx, bucketOf(place.y()) + dy);
+          for (std::uint32_t e = begin_[slot]; e < begin_[slot + 1]; ++e) best.offer(entries_[e], place);
+        }
+      }
+    }
+    for (const Entry& entry : entries_) best.offer(entry, place);
+    return best.node;
   }
 
  private:
@@ -85,6 +107,18 @@ class SpatialHash {
     float x;
     float y;
     std::uint32_t node;
+  };
+
+  struct Nearest {
+    std::uint32_t node = 0;
+    double squared_distance = std::numeric_limits<double>::infinity();
+
+    void offer(const Entry& entry, const Eigen::Vector2d& place) {
+      const double squared = squaredDistance(entry, place);
+      if (squared >= squared_distance) return;
+      squared_distance = squared;
+      node = entry.node;
+    }
   };
 
   static double squaredDistance(const Entry& entry, const Eigen::Vector2d& place) {

@@ -6,21 +6,11 @@
 #include <cmath>
 #include <vector>
 
-#include "cad2slam/geometry/similarity_fit.h"
-
 namespace cad2slam {
 namespace {
 
 /// Places nearer than this [m] to each other say nothing about rotation.
 constexpr double kSamePlace_m = 1e-3;
-
-std::vector<PointPair> enabledPairs(const AnchorList& anchors) {
-  std::vector<PointPair> pairs;
-  for (const Anchor& anchor : anchors) {
-    if (anchor.enabled) pairs.push_back({anchor.in_blueprint, anchor.in_slam});
-  }
-  return pairs;
-}
 
 /// Sum of squared residuals with each residual capped at three times the robust standard deviation, so that one wrong
 /// anchor does not drown what the others say about the scale.
@@ -60,6 +50,14 @@ double shrunkScale(const Similarity2& least_squares, const std::vector<PointPair
 }
 
 }  // namespace
+
+std::vector<PointPair> enabledPairs(const AnchorList& anchors) {
+  std::vector<PointPair> pairs;
+  for (const Anchor& anchor : anchors) {
+    if (anchor.enabled) pairs.push_back({anchor.in_blueprint, anchor.in_slam});
+  }
+  return pairs;
+}
 
 int distinctPlaces(const AnchorList& anchors) {
   std::vector<Eigen::Vector2d> places;

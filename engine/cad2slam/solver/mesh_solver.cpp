@@ -8,6 +8,7 @@
 #include <chrono>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -18,6 +19,10 @@
 #include "cad2slam/solver/minimiser.h"
 #include "cad2slam/solver/normal_matrix.h"
 #include "cad2slam/solver/objective.h"
+#include "cad2slam/solver/one_thread.h"
+#include "cad2slam/solver/plate_mixing.h"
+#include "cad2slam/solver/stiffness_scout.h"
+#include "cad2slam/solver/thin_plate_fit.h"
 
 namespace cad2slam {
 namespace {
@@ -75,21 +80,6 @@ NormalMatrix::SparseColumns derivativeColumns(const Objective& objective, const 
   return columns;
 }
 
-/// Mean of the leave-one-out residuals [m], each capped at four times their median: a wrong anchor must not decide.
-double leaveOneOutScore(const Solution& solution) {
-  std::vector<double> residuals;
-  for (const AnchorFit& fit : solution.anchors) {
-    if (fit.used && std::isfinite(fit.leave_one_out_m)) residuals.push_back(fit.leave_one_out_m);
-  }
-  if (residuals.empty()) return std::numeric_limits<double>::infinity();
-  const auto middle = residuals.begin() + static_cast<std::ptrdiff_t>(residuals.size() / 2);
-  std::nth_element(residuals.begin(), middle, residuals.end());
-  const double cap = 4.0 * *middle;
-  double sum = 0.0;
-  for (const double residual : residuals) sum += std::min(residual, cap);
-  return sum / static_cast<double>(residuals.size());
-}
-
 std::string plural(std::size_t count, const std::string& one, const std::string& many) {
   std::string text = std::to_string(count);
   text += ' ';
@@ -111,7 +101,8 @@ class MeshSolver::Impl {
  private:
   Result<Solution> solveMesh(const AnchorList& anchors, const SolverSettings& settings, const Similarity2& global_fit,
                              const Solution* warm_start, const IterationCallback& on_iteration);
-  Result<SolverSettings> withChosenStiffness(const AnchorList& anchors, const SolverSettings& settings);
+  [[nodiscard]] StiffnessChoice chooseStiffness(const AnchorList& anchors, const SolverSettings& settings);
+  void mixInPlate(const AnchorList& anchors, double share, Solution& solution);
   [[nodiscard]] MinimiserReport minimiseFrom(Eigen::VectorXd& x, const MinimiserOptions& options,
                                              const IterationCallback& on_iteration);
   void store(const Eigen::VectorXd& x, Solution& solution) const;
@@ -124,7 +115,7 @@ class MeshSolver::Impl {
   SolverBackend backend_;
   std::vector<NodeIndex> node_order_;
   NormalMatrix normal_;
-  std::unique_ptr<Impl> scout_;  // of a coarse mesh, on which stiffnesses are compared
+  std::unique_ptr<StiffnessScout> scout_;
 
   // Of the last mesh solve, for projectionSigma().
   Objective objective_;
@@ -132,19 +123,25 @@ class MeshSolver::Impl {
   std::vector<std::uint32_t> active_number_;
   Eigen::VectorXd x_;
   double variance_factor_ = kNaN;
+  std::optional<ThinPlateFit> plate_;
+  double plate_share_ = 0.0;
 };
 
 Result<Solution> MeshSolver::Impl::solve(const AnchorList& anchors, const SolverSettings& settings,
                                          const Solution* warm_start, const IterationCallback& on_iteration) {
+  const OneThread one_thread;
   variance_factor_ = kNaN;
+  plate_.reset();
   if (Result<void> checked = checkAnchors(anchors, {}); !checked) return failAs(checked);
   const Result<Similarity2> global_fit = fitGlobally(anchors, settings.scale);
   if (!global_fit) return failAs(global_fit);
   const int places = distinctPlaces(anchors);
   if (places >= 3) {
-    const Result<SolverSettings> chosen = withChosenStiffness(anchors, settings);
-    if (!chosen) return failAs(chosen);
-    return solveMesh(anchors, *chosen, *global_fit, warm_start, on_iteration);
+    const StiffnessChoice choice = chooseStiffness(anchors, settings);
+    Result<Solution> solution =
+        solveMesh(anchors, withStiffness(settings, choice.stiffness), *global_fit, warm_start, on_iteration);
+    if (solution && choice.plate_share > 0.0) mixInPlate(anchors, choice.plate_share, *solution);
+    return solution;
   }
 
   Solution solution = rigidSolution(*mesh_, *global_fit);
@@ -154,7 +151,7 @@ Result<Solution> MeshSolver::Impl::solve(const AnchorList& anchors, const Solver
     AnchorFit fit;
     fit.id = anchor.id;
     fit.used = anchor.enabled;
-    fit.predicted = *global_fit * anchor.in_blueprint;
+    fit.predicted = fit.predicted_without = *global_fit * anchor.in_blueprint;
     fit.residual_m = (fit.predicted - anchor.in_slam).norm();
     fit.leave_one_out_m = anchor.enabled ? kNaN : fit.residual_m;
     solution.anchors.push_back(fit);
@@ -164,37 +161,11 @@ Result<Solution> MeshSolver::Impl::solve(const AnchorList& anchors, const Solver
   return solution;
 }
 
-Result<SolverSettings> MeshSolver::Impl::withChosenStiffness(const AnchorList& anchors,
-                                                             const SolverSettings& settings) {
-  if (settings.model != Model::kStretch || settings.stiffness != Stiffness::kAutomatic) {
-    return withStiffness(settings, settings.stiffness);
-  }
-  constexpr std::ptrdiff_t kFewestAnchors = 5;
-  const auto used = std::count_if(anchors.begin(), anchors.end(), [](const Anchor& anchor) { return anchor.enabled; });
-  if (used < kFewestAnchors) return withStiffness(settings, Stiffness::kBalanced);
-  if (!scout_) {
-    constexpr double kScoutNodes = 500.0;
-    const double ratio = static_cast<double>(mesh_->nodeCount()) / kScoutNodes;
-    const int factor = std::max(1, static_cast<int>(std::lround(std::sqrt(ratio))));
-    scout_ = std::make_unique<Impl>(factor == 1 ? mesh_ : std::make_shared<const Mesh>(coarsened(*mesh_, factor)),
-                                    SolverBackend::kDirect);
-  }
-  constexpr double kWorthLeavingBalanced = 0.95;
-  constexpr double kGoodEnoughToJudge = 1e-5;  // of the gradient: residuals are then right to a millimetre
-  Stiffness best = Stiffness::kBalanced;
-  double best_score = std::numeric_limits<double>::infinity();
-  for (const Stiffness stiffness : {Stiffness::kBalanced, Stiffness::kSmooth, Stiffness::kLocal}) {
-    SolverSettings candidate = withStiffness(settings, stiffness);
-    candidate.gradient_tolerance = std::max(candidate.gradient_tolerance, kGoodEnoughToJudge);
-    const Result<Solution> solution = scout_->solve(anchors, candidate, nullptr, {});  // too short to be cancelled
-    if (!solution) continue;
-    const double score = leaveOneOutScore(*solution);
-    if (score < best_score) {
-      best = stiffness;
-      best_score = stiffness == Stiffness::kBalanced ? kWorthLeavingBalanced * score : score;
-    }
-  }
-  return withStiffness(settings, best);
+StiffnessChoice MeshSolver::Impl::chooseStiffness(const AnchorList& anchors, const SolverSettings& settings) {
+  if (settings.model != Model::kStretch || settings.stiffness != Stiffness::kAutomatic)
+    return {settings.stiffness, 0.0};
+  if (!scout_) scout_ = std::make_unique<StiffnessScout>(*mesh_);
+  return scout_->choose(anchors, settings);
 }
 
 MinimiserReport MeshSolver::Impl::minimiseFrom(Eigen::VectorXd& x, const MinimiserOptions& options,
@@ -258,6 +229,33 @@ Result<Solution> MeshSolver::Impl::solveMesh(const AnchorList& anchors, const So
   return solution;
 }
 
+/// Moves every node part of the way to a thin plate; does nothing where the plate folds. What is left of the plate's
+/// shear between nodes cancels in the projector's blend, which is exact for affine maps.
+void MeshSolver::Impl::mixInPlate(const AnchorList& anchors, double share, Solution& solution) {
+  Stopwatch stopwatch;
+  Result<ThinPlateFit> plate = ThinPlateFit::create(enabledPairs(anchors), solution.settings.loss_width_m);
+  if (!plate || !mixIn(*plate, share, *mesh_, solution)) return;
+  std::size_t used = 0;
+  for (std::size_t i = 0; i < anchors.size(); ++i) {
+    AnchorFit& fit = solution.anchors[i];
+    fit.predicted = blended(*mesh_, solution, anchors[i].in_blueprint);
+    fit.residual_m = (fit.predicted - anchors[i].in_slam).norm();
+    if (!anchors[i].enabled) {
+      fit.predicted_without = fit.predicted;
+      fit.leave_one_out_m = fit.residual_m;
+      continue;
+    }
+    const Vector2d plate_without = anchors[i].in_slam + plate->leaveOneOut()[used];
+    fit.predicted_without += share * (plate_without - fit.predicted_without);
+    fit.leave_one_out_m = (fit.predicted_without - anchors[i].in_slam).norm();
+    fit.loss_weight = (1.0 - share) * fit.loss_weight + share * plate->weights()[used];
+    ++used;
+  }
+  plate_ = std::move(*plate);
+  plate_share_ = share;
+  solution.seconds.diagnosis += stopwatch.lap();
+}
+
 void MeshSolver::Impl::store(const Eigen::VectorXd& x, Solution& solution) const {
   for (std::size_t k = 0; k < objective_.nodeCount(); ++k) {
     const double* unknowns = x.data() + k * static_cast<std::size_t>(objective_.unknowns);
@@ -292,14 +290,14 @@ void MeshSolver::Impl::diagnoseAnchors(const AnchorList& anchors, Solution& solu
     fit.id = anchor.id;
     fit.used = anchor.enabled;
     if (!anchor.enabled && !isActive(anchor.in_blueprint)) {
-      fit.predicted = global_fit_ * anchor.in_blueprint;
+      fit.predicted = fit.predicted_without = global_fit_ * anchor.in_blueprint;
       fit.residual_m = fit.leave_one_out_m = (fit.predicted - anchor.in_slam).norm();
       solution.anchors.push_back(fit);
       continue;
     }
     const AnchorTerm prediction = predictionAt(anchor.in_blueprint, anchor.in_slam);
     const Vector2d residual = residualOf(objective_, prediction, x_.data());
-    fit.predicted = anchor.in_slam + residual;
+    fit.predicted = fit.predicted_without = anchor.in_slam + residual;
     fit.residual_m = fit.leave_one_out_m = residual.norm();
     if (anchor.enabled) {
       const AnchorTerm& used = objective_.anchors[term++];
@@ -310,7 +308,10 @@ void MeshSolver::Impl::diagnoseAnchors(const AnchorList& anchors, Solution& solu
       const Matrix2d remaining = Matrix2d::Identity() - weight * gram.topLeftCorner<2, 2>();
       const Vector2d pushed = remaining.inverse() * used_residual;
       const Vector2d without = residual + gram.bottomLeftCorner<2, 2>() * (weight * pushed);
-      if (without.allFinite()) fit.leave_one_out_m = without.norm();
+      if (without.allFinite()) {
+        fit.predicted_without = anchor.in_slam + without;
+        fit.leave_one_out_m = without.norm();
+      }
       if (pushed.allFinite()) whitened += weight * pushed.dot(remaining * pushed);
       ++solution.anchors_used;
     }
@@ -339,6 +340,8 @@ std::vector<double> MeshSolver::Impl::projectionSigma(const std::vector<Vector2d
     const AnchorTerm term = predictionAt(points[i], Vector2d::Zero());
     const Eigen::Matrix4d gram = normal_.inverseForm(derivativeColumns(objective_, term, nullptr, x_.data()));
     sigmas[i] = std::sqrt(0.5 * variance_factor_ * gram.topLeftCorner<2, 2>().trace());
+    // Mesh and plate see the same anchors: their errors are taken as fully dependent.
+    if (plate_) sigmas[i] = (1.0 - plate_share_) * sigmas[i] + plate_share_ * plate_->sigma(points[i]);
   }
   return sigmas;
 }

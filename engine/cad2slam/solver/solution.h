@@ -20,9 +20,11 @@ struct AnchorFit {
   AnchorId id = 0;
   bool used = true;                                     ///< false for disabled anchors: their residual is a check value
   Eigen::Vector2d predicted = Eigen::Vector2d::Zero();  ///< [m] where the mesh puts the blueprint point in the SLAM map
-  double residual_m = 0.0;                              ///< |predicted - clicked|
-  double leave_one_out_m = 0.0;                         ///< the same, predicted without this anchor (one factorisation)
-  double loss_weight = 1.0;                             ///< 1 = fully trusted, near 0 = treated as an outlier
+  Eigen::Vector2d predicted_without =
+      Eigen::Vector2d::Zero();   ///< [m] the same without this anchor (one factorisation)
+  double residual_m = 0.0;       ///< |predicted - clicked|
+  double leave_one_out_m = 0.0;  ///< |predicted_without - clicked|
+  double loss_weight = 1.0;      ///< 1 = fully trusted, near 0 = treated as an outlier
 };
 
 struct SolveSeconds {
@@ -37,7 +39,8 @@ struct Solution {
   Similarity2 global_fit;        ///< slam_from_blueprint of the start; its scale is the scale of the rest lengths
   std::vector<Pose2> node_slam;  ///< slam_from_node
   std::vector<Eigen::Vector2d> node_stretch;  ///< log-stretch along the node's x and y; zero in the rigid model
-  std::vector<AnchorFit> anchors;             ///< one for each given anchor, in the given order
+  double plate_share = 0.0;        ///< part of a thin plate in every node; what is left is the minimum of the objective
+  std::vector<AnchorFit> anchors;  ///< one for each given anchor, in the given order
   std::size_t anchors_used = 0;
   double cost = 0.0;               ///< half the sum of squares, as Ceres counts
   double initial_cost = 0.0;       ///< at the global fit

@@ -24,8 +24,8 @@ struct ScaleSettings {
 };
 
 /// How the stretch model shares a deformation between nodes. No single set of weights is best for every building: a
-/// hall that is bent smoothly wants another than corridors that drifted each by themselves. kAutomatic solves a coarse
-/// mesh with each of the three and takes the one whose leave-one-out residuals are smallest.
+/// hall that is bent smoothly wants another than corridors that drifted each by themselves. kAutomatic tries them all
+/// on a coarse mesh and takes the one whose leave-one-out residuals are smallest.
 enum class Stiffness {
   kGiven,      ///< lambda_x, lambda_y and lambda_stretch as they stand in the settings
   kAutomatic,  ///< the best of the following; kBalanced below five anchors

@@ -80,6 +80,7 @@ class ProjectorTest : public QObject {
   void foldsAreNamed();
   void overlapsAreNamed();
   void batchEqualsSingleQueries();
+  void aHintChangesNothing();
   void refusesBrokenArrays();
 };
 
@@ -295,6 +296,24 @@ void ProjectorTest::batchEqualsSingleQueries() {
     const Projection single = projector.slamFromBlueprint(poses[k]);
     QVERIFY(single.status == there[k].status && single.pose.translation == there[k].pose.translation &&
             single.pose.heading == there[k].pose.heading);
+  }
+}
+
+void ProjectorTest::aHintChangesNothing() {
+  const Solved solved = solvedCorridor(Model::kStretch);
+  const Projector projector = *makeProjector(*solved.mesh, solved.solution);
+  std::mt19937 random(32);
+  std::uniform_real_distribution<double> anywhere(-60.0, 60.0);
+  for (int k = 0; k < 3000; ++k) {
+    const Pose2 truth{testing::randomPlace(*solved.mesh, random), 0.1 * k};
+    const Pose2 in_slam = k % 3 == 0 ? Pose2{{anywhere(random), anywhere(random)}, 0.0}
+                                     : projector.slamFromBlueprint(truth, OutsidePolicy::kRigid).pose;
+    const Projection plain = projector.blueprintFromSlam(in_slam, OutsidePolicy::kRigid);
+    for (const Eigen::Vector2d& hint : {truth.translation, Eigen::Vector2d(anywhere(random), anywhere(random))}) {
+      const Projection hinted = projector.blueprintFromSlam(in_slam, OutsidePolicy::kRigid, hint);
+      QVERIFY(hinted.status == plain.status);
+      if (plain.ok()) QVERIFY((hinted.pose.translation - plain.pose.translation).norm() < 1e-8);
+    }
   }
 }
 

@@ -249,11 +249,10 @@ void MeshSolverTest::reportsProgressAndCanBeCancelled() {
   const SolverSettings settings = withStiffness(defaultSettings(Model::kStretch), Stiffness::kBalanced);
   MeshSolver solver(mesh, backend);
   std::vector<IterationReport> reports;
-  const Result<Solution> done =
-      solver.solve(anchors, settings, nullptr, [&](const IterationReport& report) {
-        reports.push_back(report);
-        return NextStep::kContinue;
-      });
+  const Result<Solution> done = solver.solve(anchors, settings, nullptr, [&](const IterationReport& report) {
+    reports.push_back(report);
+    return NextStep::kContinue;
+  });
   QVERIFY(done.has_value());
   QVERIFY(reports.size() >= 2);
   for (std::size_t k = 1; k < reports.size(); ++k) {
