@@ -19,6 +19,7 @@ class PoseProtocolTest : public QObject {
   Q_OBJECT
  private slots:
   void answersAreOneLine();
+  void idsAreRepeatedAsSent();
   void damagedRequests();
 };
 
@@ -39,6 +40,16 @@ void PoseProtocolTest::answersAreOneLine() {
   appendError("", {ErrorCode::kMalformed, "two\nlines \"of\" text", {}}, out);
   QCOMPARE(QString::fromStdString(out),
            QString("{\"error\":{\"code\":\"malformed\",\"message\":\"two\\nlines \\\"of\\\" text\"}}\n"));
+}
+
+void PoseProtocolTest::idsAreRepeatedAsSent() {
+  for (const char* sent : {"7", "-7", "18446744073709551615", "1e3", "1.50", "-0.0", "123456789012345678901234567890",
+                           "null", "\"\"", "\"a b\""}) {
+    std::string id;
+    const auto request = parsePoseRequest(std::string(R"({"op":"info","id":)") + sent + "}", id);
+    QVERIFY2(request, sent);
+    QCOMPARE(QString::fromStdString(id), QString(sent));
+  }
 }
 
 void PoseProtocolTest::damagedRequests() {
