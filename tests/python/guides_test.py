@@ -104,6 +104,10 @@ class GuidesTest(unittest.TestCase):
         np.testing.assert_allclose([float(field) for field in back[:3]], [X, Y, 0.5], atol=1e-6)
         names = self.run_code("guide-nav2.md", cad2slam=cad2slam)
         self.assertTrue(names["goal"].ok)
+        request, answer = re.findall(r"^    ({.*})$", (DOCS / "guide-nav2.md").read_text(), re.MULTILINE)
+        done = subprocess.run([CLI, "serve", "office.c2s"], input=request + "\n", capture_output=True, text=True,
+                              cwd=self.folder, check=True)
+        self.assertEqual(json.loads(done.stdout).keys(), json.loads(answer.replace("...", "0")).keys())
 
     def test_open_rmf(self):
         before = cad2slam.load(OFFICE, native=False).slam_from_blueprint([X, Y, 0.0]).poses
