@@ -4,7 +4,6 @@
 
 #include <fcntl.h>
 #include <poll.h>
-#include <sys/signalfd.h>
 #include <sys/socket.h>
 #include <sys/stat.h>
 #include <sys/un.h>
@@ -112,6 +111,28 @@ bool writeAll(int descriptor, std::string& out) {
   return true;
 }
 
+int ending_writer = -1;  // what a signal handler may reach is global
+
+extern "C" void onEnding(int /*signal*/) {
+  const int kept = errno;
+  static_cast<void>(!::write(ending_writer, "", 1));
+  errno = kept;
+}
+
+/// Becomes readable at SIGINT or SIGTERM. Blocking the signals for a signalfd would not do: libraries have started
+/// threads before main(), and these would take them.
+Result<Descriptor> endingSignals() {
+  int ends[2] = {-1, -1};
+  if (::pipe2(ends, O_CLOEXEC | O_NONBLOCK) != 0) return systemError(ErrorCode::kInternal, "there is no pipe", "");
+  ending_writer = ends[1];  // open until the process ends
+  struct sigaction action {};
+  action.sa_handler = onEnding;
+  action.sa_flags = SA_RESTART;
+  ::sigaction(SIGINT, &action, nullptr);
+  ::sigaction(SIGTERM, &action, nullptr);
+  return Descriptor(ends[0]);
+}
+
 struct Connection {
   Connection(Descriptor connected, LineStream stream) : descriptor(std::move(connected)), lines(std::move(stream)) {}
 
@@ -135,10 +156,12 @@ class SocketServer {
 
   void run() {
     while (true) {
-      std::vector<pollfd> waiting = {{signals_.get(), POLLIN, 0}, {listener_.get(), POLLIN, 0}};
+      const bool accepts = std::exchange(accepts_, true);
+      std::vector<pollfd> waiting = {{signals_.get(), POLLIN, 0},
+                                     {listener_.get(), static_cast<short>(accepts ? POLLIN : 0), 0}};
       for (const Connection& connection : connections_)
         waiting.push_back({connection.descriptor.get(), static_cast<short>(wants(connection)), 0});
-      if (::poll(waiting.data(), waiting.size(), -1) < 0) {
+      if (::poll(waiting.data(), waiting.size(), accepts ? -1 : kPause_ms) < 0) {
         if (errno == EINTR) continue;
         return;
       }
@@ -194,17 +217,24 @@ class SocketServer {
   void acceptAll() {
     while (true) {
       Descriptor descriptor(::accept4(listener_.get(), nullptr, nullptr, SOCK_NONBLOCK | SOCK_CLOEXEC));
-      if (descriptor.get() < 0) return;
+      if (descriptor.get() < 0) {
+        // Without a free descriptor the caller keeps waiting, and asking again at once would only heat the processor.
+        accepts_ = errno == EAGAIN || errno == EINTR || errno == ECONNABORTED;
+        return;
+      }
       if (connections_.size() < limits_.most_connections) {
         connections_.emplace_back(std::move(descriptor), LineStream(handler_, limits_));
       }
     }
   }
 
+  static constexpr int kPause_ms = 200;
+
   const LineHandler& handler_;
   const LineLimits& limits_;
   Descriptor listener_;
   Descriptor signals_;
+  bool accepts_ = true;
   std::list<Connection> connections_;
   std::vector<char> buffer_;
 };
@@ -257,12 +287,8 @@ Result<void> serveUnixSocket(const std::string& path, const LineHandler& handler
   const Result<sockaddr_un> address = addressOf(path);
   if (!address) return failAs(address);
   if (Result<void> room = makeRoom(path, *address); !room) return room;
-  sigset_t ending;
-  sigemptyset(&ending);
-  sigaddset(&ending, SIGINT);
-  sigaddset(&ending, SIGTERM);
-  ::sigprocmask(SIG_BLOCK, &ending, nullptr);
-  Descriptor signals(::signalfd(-1, &ending, SFD_CLOEXEC));
+  Result<Descriptor> signals = endingSignals();
+  if (!signals) return failAs(signals);
   Descriptor listener(::socket(AF_UNIX, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0));
   const mode_t mask = ::umask(0177);  // from its first moment only the owner may connect
   const int bound = ::bind(listener.get(), reinterpret_cast<const sockaddr*>(&*address), sizeof *address);
@@ -273,7 +299,7 @@ Result<void> serveUnixSocket(const std::string& path, const LineHandler& handler
     return systemError(ErrorCode::kUnwritable, "the socket cannot be made", path);
   }
   ready();
-  SocketServer(handler, limits, std::move(listener), std::move(signals)).run();
+  SocketServer(handler, limits, std::move(listener), std::move(*signals)).run();
   ::unlink(path.c_str());
   return {};
 }

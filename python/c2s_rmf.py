@@ -16,7 +16,7 @@ from __future__ import annotations
 import copy
 import logging
 import os
-from typing import Any, Mapping, Sequence
+from typing import Any, Callable, Mapping, Sequence
 
 import cad2slam
 
@@ -48,6 +48,14 @@ class Levels:
         level = self._level_of.get(robot_map)
         return self._convert(robot_map, pose, level, level, "blueprint_from_slam")
 
+    def level_of(self, robot_map: str | None) -> str | None:
+        """RMF's name for a map of the robot; None for one without projector."""
+        return self._level_of.get(robot_map)
+
+    def only_map(self) -> str | None:
+        """The map of the robot where there is but one."""
+        return next(iter(self._level_of)) if len(self._level_of) == 1 else None
+
     def _convert(self, source: str, pose: Pose, target: str | None, level: str | None, direction: str) -> Any:
         if target is None or level is None:
             _log.error("no projector for map %s", source)
@@ -73,27 +81,54 @@ class ProjectedRobotAPI:
         return getattr(self._api, name)
 
     def navigate(self, robot_name: str, pose: Pose, map_name: str, *more: Any, **options: Any) -> Any:
+        return self._command(self._api.navigate, robot_name, pose, map_name, *more, **options)
+
+    def localise(self, robot_name: str, pose: Pose, map_name: str, *more: Any, **options: Any) -> Any:
+        return self._command(self._api.localise, robot_name, pose, map_name, *more, **options)
+
+    def localize(self, robot_name: str, pose: Pose, map_name: str, *more: Any, **options: Any) -> Any:
+        return self._command(self._api.localize, robot_name, pose, map_name, *more, **options)
+
+    def map(self, robot_name: str, *more: Any) -> str | None:
+        """The level on which the robot is, by RMF's name."""
+        return self._levels.level_of(self._api.map(robot_name, *more))
+
+    def position(self, robot_name: str, *more: Any) -> list[float] | None:
+        """As the template's: x, y, heading without a map, so it asks for that, or takes where the robot was last seen."""
+        pose = self._api.position(robot_name, *more)
+        robot_map = self._map_of_robot(robot_name)
+        if pose is None or robot_map is None:
+            return None
+        converted = self._levels.to_rmf(robot_map, pose)
+        return None if converted is None else converted[1]
+
+    def get_data(self, robot_name: str | None = None, *more: Any) -> Any:
+        """As the template's: an object with `map` and `position`, which are replaced in a copy, or a list of such."""
+        data = self._api.get_data(robot_name, *more)
+        if isinstance(data, (list, tuple)):
+            return [found for found in (self._in_rmf(item, getattr(item, "robot_name", None)) for item in data)
+                    if found is not None]
+        return None if data is None else self._in_rmf(data, robot_name)
+
+    def _command(self, command: Callable[..., Any], robot_name: str, pose: Pose, map_name: str, *more: Any,
+                 **options: Any) -> Any:
         converted = self._levels.to_robot(map_name, pose)
         if converted is None:
             return False
         robot_map, goal = converted
-        return self._api.navigate(robot_name, goal, robot_map, *more, **options)
+        return command(robot_name, goal, robot_map, *more, **options)
 
-    def position(self, robot_name: str, *more: Any) -> list[float] | None:
-        """As the template's: x, y, heading without a map, so it takes the level where the robot was last seen."""
-        pose = self._api.position(robot_name, *more)
-        if pose is None:
-            return None
-        known = self._map_names.get(robot_name) or next(iter(self._levels._level_of))
-        converted = self._levels.to_rmf(known, pose)
-        return None if converted is None else converted[1]
+    def _map_of_robot(self, robot_name: str) -> str | None:
+        if hasattr(self._api, "map"):
+            return self._api.map(robot_name)
+        known = self._map_names.get(robot_name) or self._levels.only_map()
+        if known is None:
+            _log.error("the map of %s is not known yet", robot_name)
+        return known
 
-    def get_data(self, robot_name: str, *more: Any) -> Any:
-        """As the template's: an object with `map` and `position`, which are replaced in a copy."""
-        data = self._api.get_data(robot_name, *more)
-        if data is None:
-            return None
-        self._map_names[robot_name] = data.map
+    def _in_rmf(self, data: Any, robot_name: str | None) -> Any:
+        if robot_name is not None:
+            self._map_names[robot_name] = data.map
         converted = self._levels.to_rmf(data.map, data.position)
         if converted is None:
             return None

@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <QtTest>
 
+#include <array>
+#include <cmath>
+
 #include "cli/cli_runner.h"
 
 /// `project` answers while its input still comes, and its memory does not grow with it.
@@ -19,6 +22,9 @@ class ProjectStreamTest : public QObject {
   void endlessLinesAreRefused();
   void fullOutputIsAnError();
   void closedOutputEndsTheRun();
+  void answersAreInputAgain();
+  void onlyAnswersMayBeNan_data();
+  void onlyAnswersMayBeNan();
 
  private:
   OfficeFolder office_;
@@ -115,6 +121,56 @@ void ProjectStreamTest::closedOutputEndsTheRun() {
   process.write(QByteArray("-5,0\n").repeated(100'000));
   process.closeWriteChannel();
   QVERIFY(process.waitForFinished(60'000));
+}
+
+void ProjectStreamTest::answersAreInputAgain() {
+  // As in `cad2slam-cli project ... --to slam | cad2slam-cli project ... --to blueprint`.
+  const QByteArray poses = "x,y,theta\n# two rooms\n-5.0123,0.4567,0.5\n\n900,900,0\n-6.25,1.5,-3\n-4.75;0.25\n";
+  const CliRun there = office_.run({"project", "office.c2s", "--to", "slam"}, poses);
+  QCOMPARE(there.exit_code, 1);  // one of them lies outside
+  QCOMPARE(there.lines().at(0), QString("x,y,theta,status"));
+  QCOMPARE(there.lines().at(3), QString("nan,nan,nan,outside"));
+  const CliRun back = office_.run({"project", "office.c2s", "--to", "blueprint"}, there.out.toUtf8());
+  QCOMPARE(back.exit_code, 1);
+  QVERIFY2(back.sentence().contains("1 of 4 poses"), qPrintable(back.err));
+  QCOMPARE(back.out.count('\n'), poses.count('\n'));
+  QCOMPARE(back.lines().size(), 6);
+  QCOMPARE(back.lines().at(0), QString("x,y,theta,status"));
+  QCOMPARE(back.lines().at(1), QString("# two rooms"));
+  QCOMPARE(back.lines().at(3), QString("nan,nan,nan,invalid"));
+  const QList<std::array<double, 3>> expected = {{-5.0123, 0.4567, 0.5}, {-6.25, 1.5, -3.0}, {-4.75, 0.25, 0.0}};
+  const QList<int> rows = {2, 4, 5};
+  for (int k = 0; k < 3; ++k) {
+    const QStringList fields = back.lines().at(rows[k]).split(',');
+    QCOMPARE(fields.at(3), QString("inside"));
+    for (int axis = 0; axis < 3; ++axis) {
+      const double off = fields.at(axis).toDouble() - expected[k][static_cast<std::size_t>(axis)];
+      QVERIFY2(std::abs(off) < 1e-6, qPrintable(back.lines().at(rows[k])));
+    }
+  }
+  // And so on, as often as one likes: a pose without an answer never gets one by itself.
+  const CliRun again = office_.run({"project", "office.c2s", "--to", "slam", "--outside", "rigid"}, back.out.toUtf8());
+  QCOMPARE(again.lines().at(3), QString("nan,nan,nan,invalid"));
+  QCOMPARE(again.exit_code, 1);
+}
+
+void ProjectStreamTest::onlyAnswersMayBeNan_data() {
+  QTest::addColumn<QByteArray>("line");
+  QTest::newRow("nan without status") << QByteArray("nan,nan,nan");
+  QTest::newRow("nan place") << QByteArray("1,nan");
+  QTest::newRow("infinite place") << QByteArray("inf,1,0");
+  QTest::newRow("status after two numbers") << QByteArray("1,2,inside");
+  QTest::newRow("number as status") << QByteArray("1,2,3,4");
+  QTest::newRow("two statuses") << QByteArray("1,2,3,inside,inside");
+  QTest::newRow("status of other letters") << QByteArray("1,2,3,<b>");
+}
+
+void ProjectStreamTest::onlyAnswersMayBeNan() {
+  QFETCH(QByteArray, line);
+  const CliRun run = office_.run({"project", "office.c2s", "--to", "slam"}, "-5,0\n" + line + '\n');
+  QCOMPARE(run.exit_code, 1);
+  QCOMPARE(run.lines().size(), 1);
+  QVERIFY2(run.sentence().contains("standard input:2"), qPrintable(run.err));
 }
 
 }  // namespace cad2slam

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 
 # Installs the library for robots into an empty folder and builds and runs a robot's project against it.
-# In: BUILD_DIR, CONFIG, SOURCE_DIR, WORK_DIR, GENERATOR, COMPILER
+# In: BUILD_DIR, CONFIG, SOURCE_DIR, WORK_DIR, GENERATOR, COMPILER, PROJECTOR (a file to read)
 function(run)
   execute_process(COMMAND ${ARGN} COMMAND_ECHO STDOUT COMMAND_ERROR_IS_FATAL ANY)
 endfunction()
@@ -15,8 +15,8 @@ endforeach()
 run(${CMAKE_COMMAND} -S ${SOURCE_DIR}/robot -B ${WORK_DIR}/build -G ${GENERATOR} -DCMAKE_BUILD_TYPE=${CONFIG}
     -DCMAKE_CXX_COMPILER=${COMPILER} -DCMAKE_PREFIX_PATH=${WORK_DIR}/prefix)
 run(${CMAKE_COMMAND} --build ${WORK_DIR}/build)
-run(${WORK_DIR}/build/robot)
-run(${WORK_DIR}/build/robot_in_c)
+run(${WORK_DIR}/build/robot ${PROJECTOR})
+run(${WORK_DIR}/build/robot_in_c ${PROJECTOR})
 file(GLOB_RECURSE configs ${WORK_DIR}/prefix/*.cmake)
 foreach(config ${configs})
   file(READ ${config} text)

@@ -75,6 +75,36 @@ class RmfTest(unittest.TestCase):
         self.robots.at = ("map_3", [0.0, 0.0, 0.0])
         self.assertIsNone(self.api.get_data("tiny"))
 
+    def test_localising_and_maps(self):
+        told = []
+        self.robots.localise = lambda *words: told.append(words) or True
+        self.assertTrue(self.api.localise("tiny", self.poses[0], "L1"))
+        np.testing.assert_allclose(told[0][1], self.projector.slam_from_blueprint(self.poses[0]).poses)
+        self.assertEqual((told[0][0], told[0][2]), ("tiny", "map_2"))
+        self.assertFalse(self.api.localise("tiny", [500.0, 500.0, 0.0], "L1"))
+        self.assertEqual(len(told), 1)
+        self.assertRaises(AttributeError, self.api.localize, "tiny", self.poses[0], "L1")  # as with the API itself
+        self.robots.map = lambda robot_name: self.robots.at[0]
+        self.assertEqual(self.api.map("tiny"), "L1")
+        self.robots.at = ("map_3", self.robots.at[1])
+        self.assertIsNone(self.api.map("tiny"))
+        self.assertIsNone(self.api.position("tiny"))
+
+    def test_no_level_is_guessed(self):
+        api = c2s_rmf.ProjectedRobotAPI(self.robots, {"L1": self.projector, "L2": self.projector}, {"L2": "map_2"})
+        self.robots.at = ("map_2", self.projector.slam_from_blueprint(self.poses[0]).poses)
+        self.assertIsNone(api.position("tiny"))
+        self.assertEqual(api.get_data("tiny").map, "L2")
+        np.testing.assert_allclose(api.position("tiny"), self.poses[0], atol=1e-8)
+
+    def test_all_robots_at_once(self):
+        inside = self.projector.slam_from_blueprint(self.poses[0]).poses
+        self.robots.get_data = lambda robot_name: [SimpleNamespace(robot_name="a", map="map_2", position=inside),
+                                                   SimpleNamespace(robot_name="b", map="map_9", position=inside)]
+        found = self.api.get_data()
+        self.assertEqual([(item.robot_name, item.map) for item in found], [("a", "L1")])
+        np.testing.assert_allclose(found[0].position, self.poses[0], atol=1e-8)
+
     def test_everything_else_is_the_apis(self):
         self.assertEqual(self.api.stop("tiny"), "tiny stopped")
         self.assertRaises(AttributeError, lambda: self.api.no_such_call)

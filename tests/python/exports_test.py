@@ -6,9 +6,11 @@
 import json
 import os
 import shutil
+import struct
 import subprocess
 import tempfile
 import unittest
+import zlib
 from pathlib import Path
 
 import numpy as np
@@ -58,6 +60,41 @@ def read_pgm(path):
     width, height, largest = int(fields[1]), int(fields[2]), int(fields[3])
     assert fields[0] == b"P5" and largest == 255
     return np.frombuffer(content[-width * height:], np.uint8).reshape(height, width)
+
+
+def unfiltered(kind, line, above):
+    """One row of a PNG with a byte for each pixel."""
+    if kind == 0:
+        return line
+    if kind == 1:
+        return np.cumsum(line, dtype=np.uint8)
+    if kind == 2:
+        return line + above
+    row = np.zeros(len(line) + 1, int)  # the pixel before the first one is 0
+    up = np.concatenate([[0], above]).astype(int)
+    for k, value in enumerate(line.tolist(), 1):
+        left, over, corner = row[k - 1], up[k], up[k - 1]
+        by_paeth = min((left, over, corner), key=lambda candidate: abs(left + over - corner - candidate))
+        row[k] = (value + ((left + over) // 2 if kind == 3 else by_paeth)) % 256
+    return row[1:].astype(np.uint8)
+
+
+def read_png(path):
+    """A grey picture with 8 bits for each pixel."""
+    content, place, data = path.read_bytes(), 8, b""
+    while place < len(content):
+        length, kind = struct.unpack(">I4s", content[place:place + 8])
+        chunk = content[place + 8:place + 8 + length]
+        if kind == b"IHDR":
+            width, height, *form = struct.unpack(">IIBBBBB", chunk)
+            assert form == [8, 0, 0, 0, 0]
+        data += chunk if kind == b"IDAT" else b""
+        place += 12 + length
+    lines = np.frombuffer(zlib.decompress(data), np.uint8).reshape(height, width + 1)
+    picture = np.zeros((height + 1, width), np.uint8)  # the row above the first one is 0
+    for row, line in enumerate(lines, 1):
+        picture[row] = unfiltered(line[0], line[1:], picture[row - 1])
+    return picture[1:]
 
 
 @unittest.skipUnless(os.path.exists(CLI) and os.path.exists(OFFICE), "the program or the sample is not there")
@@ -222,6 +259,39 @@ class ExportTest(unittest.TestCase):
         for wrong in (0, 101, "fast"):
             path = self.write(collection(("Polygon", [self.square(2.0)], {"speed_percent": wrong})))
             self.assertIn("1 to 100", run("export", "speed", OFFICE, path, "-o", self.folder / "x.yaml", fails=True))
+
+    def test_warped_blueprint(self):
+        """Each pixel of the map in the other frame shows what the projector finds at its middle."""
+        site = Path(os.environ["CAD2SLAM_SOURCE"]) / "sample_maps" / "office"
+        for to, source in (("slam", "blueprint"), ("blueprint", "slam_1")):
+            out = self.folder / f"{to}.yaml"
+            run("warp", OFFICE, "--to", to, site / f"{source}.yaml", "-o", out)
+            target = yaml.safe_load(out.read_text())
+            warped = read_png(self.folder / target["image"])
+            before = yaml.safe_load((site / f"{source}.yaml").read_text())
+            picture = read_png(site / before["image"])
+            rows, columns = np.random.default_rng(7).integers(0, warped.shape, (20000, 2)).T
+            middles = np.column_stack([columns + 0.5, warped.shape[0] - rows - 0.5]) * target["resolution"]
+            back = self.projector.blueprint_from_slam if to == "slam" else self.projector.slam_from_blueprint
+            found = back(middles + target["origin"][:2], "error")
+            column, row = ((found.poses[found.ok, :2] - before["origin"][:2]) / before["resolution"]).T
+            row, column = picture.shape[0] - 1 - np.floor(row).astype(int), np.floor(column).astype(int)
+            reach = 3  # pixels in which there must be no border of anything
+            clear = ((row >= reach) & (column >= reach) & (row < picture.shape[0] - reach) &
+                     (column < picture.shape[1] - reach))
+            near = np.stack([picture[row[clear] + u, column[clear] + v]
+                             for u in range(-reach, reach + 1) for v in range(-reach, reach + 1)])
+            same = near.min(axis=0) == near.max(axis=0)
+            shown = warped[rows[found.ok], columns[found.ok]][clear]
+            self.assertGreater(same.sum(), 1000)
+            self.assertGreater(len(np.unique(near[0, same])), 1)
+            np.testing.assert_array_equal(self.states(target, shown[same]), self.states(before, near[0, same]))
+
+    @staticmethod
+    def states(description, grey):
+        """Free -1, unknown 0 and occupied 1, as map_server reads a trinary map."""
+        occupancy = (255.0 - grey) / 255.0
+        return (occupancy > description["occupied_thresh"]).astype(int) - (occupancy < description["free_thresh"])
 
     def test_waypoints(self):
         x, y = self.middle

@@ -101,7 +101,9 @@ class RmfImportTest(unittest.TestCase):
             message = run("convert", "rmf", self.building(bad), *self.maps, "--layer", "scan", "-o", self.out, fails=True)
             self.assertIn("site.building.yaml", message)
         for text in ("", "levels: 3", "levels: {L1: 3}", "levels: [", "a: &a [*a]", "levels: &l {L1: *l}", "[" * 20000,
-                     "levels:\n  L1: {lanes: [[-1, 2]]}", "\x00\x01", "levels: {L1: {vertices: [[1]]}}"):
+                     "levels:\n  L1: {lanes: [[-1, 2]]}", "\x00\x01", "levels: {L1: {vertices: [[1]]}}",
+                     "f: &f [{id: a, x: 1, y: 2}]\nlevels: {L1: {features: *f, layers: {scan: {features: *f}}}}",
+                     "levels: {L1: {lanes: " + "[" * 60 + "]" * 60 + "}}"):
             self.assertIn("site.building.yaml", run("convert", "rmf", self.building(text), *self.maps, "--layer", "scan",
                                                     "-o", self.out, fails=True))
 

@@ -6,6 +6,7 @@
 import json
 import os
 import random
+import resource
 import signal
 import socket
 import stat
@@ -42,9 +43,10 @@ class ServeTest(unittest.TestCase):
         done = subprocess.run([CLI, "serve", str(self.path)], input=text, capture_output=True, text=True, check=True)
         return [json.loads(line) for line in done.stdout.splitlines()]
 
-    def server(self):
+    def server(self, **options):
         path = self.folder / "socket"
-        process = subprocess.Popen([CLI, "serve", str(self.path), "--socket", str(path)], stderr=subprocess.PIPE)
+        process = subprocess.Popen([CLI, "serve", str(self.path), "--socket", str(path)], stderr=subprocess.PIPE,
+                                   **options)
         self.addCleanup(process.stderr.close)
         self.addCleanup(process.wait)
         self.addCleanup(process.terminate)
@@ -121,7 +123,8 @@ class ServeTest(unittest.TestCase):
             self.assertTrue("error" in document or "poses" in document or "pose" in document)
 
     def test_socket(self):
-        process, path = self.server()
+        # Threads of a library, which must not take the signal that ends the server.
+        process, path = self.server(env={**os.environ, "OPENBLAS_NUM_THREADS": "4"})
         self.assertEqual(stat.S_IMODE(path.stat().st_mode), 0o600)
         first, second, rude, greedy = (self.connect(path) for _ in range(4))
         request = json.dumps({"op": "project", "poses": self.poses.tolist()}).encode() + b"\n"
@@ -185,6 +188,27 @@ class ServeTest(unittest.TestCase):
                 break
             self.assertLess(time.monotonic(), deadline)
         self.assertIn("info", json.loads(line))
+
+    def test_no_free_descriptor(self):
+        """Callers wait for their turn, and the server meanwhile sleeps."""
+        few = 12
+        process, path = self.server(preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_NOFILE, (few, few)))
+        crowd = [self.connect(path) for _ in range(2 * few)]
+        crowd[0].sendall(b'{"op": "info"}\n')
+        self.assertIn("info", crowd[0].makefile().readline())
+
+        def used_seconds():
+            fields = Path(f"/proc/{process.pid}/stat").read_text().rsplit(")", 1)[1].split()
+            return (int(fields[11]) + int(fields[12])) / os.sysconf("SC_CLK_TCK")
+
+        before = used_seconds()
+        time.sleep(1.0)
+        self.assertLess(used_seconds() - before, 0.2)
+        for connection in crowd[:-1]:
+            connection.close()
+        crowd[-1].sendall(b'{"op": "info"}\n')
+        self.assertIn("info", crowd[-1].makefile().readline())
+        crowd[-1].close()
 
     def test_places_that_are_taken(self):
         process, path = self.server()

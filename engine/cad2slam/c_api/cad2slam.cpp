@@ -53,8 +53,8 @@ int resultOf(ErrorCode code) {
       return CAD2SLAM_NOT_FOUND;
     case ErrorCode::kUnreadable:
       return CAD2SLAM_UNREADABLE;
-    case ErrorCode::kInternal:
-      return CAD2SLAM_INTERNAL;
+    case ErrorCode::kInternal:  // of a reader: an exhausted resource
+      return CAD2SLAM_OUT_OF_MEMORY;
     default:
       return CAD2SLAM_MALFORMED;
   }

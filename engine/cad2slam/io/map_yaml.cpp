@@ -3,15 +3,12 @@
 #include "cad2slam/io/map_yaml.h"
 
 #include "cad2slam/io/atomic_file.h"
+#include "cad2slam/io/guarded_yaml.h"
 #include "cad2slam/io/text.h"
-
-#include <yaml-cpp/eventhandler.h>
-#include <yaml-cpp/yaml.h>
 
 #include <algorithm>
 #include <map>
 #include <optional>
-#include <sstream>
 
 namespace cad2slam {
 namespace {
@@ -19,7 +16,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t kLargestText = std::size_t{64} << 10;
-constexpr int kDeepestNesting = 16;
 constexpr double kFinestResolution = 1e-6;  // [m/px]
 constexpr double kCoarsestResolution = 1e4;
 
@@ -31,71 +27,42 @@ struct Entry {
   std::vector<std::string> values;
 };
 
-/// Why a text is no map YAML, thrown through the parser.
-struct Refusal {
-  int line = 0;
-  std::string message;
-};
-
-/// Collects the top-level keys straight from the parser's events: no tree is built, no alias is followed, so neither
-/// nesting nor references can make a small file grow.
-class TopLevelKeys : public YAML::EventHandler {
+/// Collects the top-level keys straight from the parser's events: no tree is built.
+class TopLevelKeys : public GuardedYamlEvents {
  public:
   [[nodiscard]] const std::map<std::string, Entry>& entries() const { return entries_; }
 
-  void OnDocumentStart(const YAML::Mark&) override {}
-  void OnDocumentEnd() override {}
-  void OnNull(const YAML::Mark& mark, YAML::anchor_t) override { addValue(mark, {}); }
-  void OnAlias(const YAML::Mark& mark, YAML::anchor_t) override {
-    throw Refusal{mark.line + 1, "aliases (*name) are not read in a map"};
-  }
-  void OnScalar(const YAML::Mark& mark, const std::string&, YAML::anchor_t, const std::string& value) override {
-    addValue(mark, value);
-  }
-  void OnSequenceStart(const YAML::Mark& mark, const std::string&, YAML::anchor_t, YAML::EmitterStyle::value) override {
-    open(mark, false);
-  }
-  void OnSequenceEnd() override { close(); }
-  void OnMapStart(const YAML::Mark& mark, const std::string&, YAML::anchor_t, YAML::EmitterStyle::value) override {
-    open(mark, true);
-  }
-  void OnMapEnd() override { close(); }
-
  private:
-  void open(const YAML::Mark& mark, bool is_map) {
-    if (depth_ == 0 && !is_map) throw Refusal{mark.line + 1, "a map needs lines such as `image: map.pgm`"};
-    if (depth_ == 1 && entry_ == nullptr) throw Refusal{mark.line + 1, "a key must be a word"};
-    if (depth_ >= kDeepestNesting) throw Refusal{mark.line + 1, "the values are nested too deeply"};
-    if (depth_ == 1) {
+  void onOpen(int line, bool is_map) override {
+    if (depth() == 0 && !is_map) throw YamlRefusal{line, "a map needs lines such as `image: map.pgm`"};
+    if (depth() == 1 && entry_ == nullptr) throw YamlRefusal{line, "a key must be a word"};
+    if (depth() == 1) {
       entry_->is_list = true;
       entry_->is_plain = !is_map;
-    } else if (depth_ > 1) {
+    } else if (depth() > 1) {
       entry_->is_plain = false;
     }
-    ++depth_;
   }
-  void close() {
-    --depth_;
-    if (depth_ == 1) entry_ = nullptr;
+  void onClose() override {
+    if (depth() == 1) entry_ = nullptr;
   }
-  void addValue(const YAML::Mark& mark, const std::string& value) {
-    if (depth_ == 0) throw Refusal{mark.line + 1, "a map needs lines such as `image: map.pgm`"};
-    if (depth_ == 1 && entry_ == nullptr) {
-      const auto [place, is_new] = entries_.emplace(value, Entry{mark.line + 1, true, false, {}});
+  void onValue(int line, const std::string& value) override {
+    if (depth() == 0) throw YamlRefusal{line, "a map needs lines such as `image: map.pgm`"};
+    if (depth() == 1 && entry_ == nullptr) {
+      const auto [place, is_new] = entries_.emplace(value, Entry{line, true, false, {}});
       if (!is_new) {
-        throw Refusal{mark.line + 1,
-                      "the key " + excerpt(value) + " already stands in line " + std::to_string(place->second.line)};
+        throw YamlRefusal{
+            line, "the key " + excerpt(value) + " already stands in line " + std::to_string(place->second.line)};
       }
       entry_ = &place->second;
       return;
     }
     entry_->values.push_back(value);
-    if (depth_ == 1) entry_ = nullptr;
+    if (depth() == 1) entry_ = nullptr;
   }
 
   std::map<std::string, Entry> entries_;
   Entry* entry_ = nullptr;  // whose value is being read
-  int depth_ = 0;
 };
 
 /// Typed access to the keys; every failure names file, line and key.
@@ -259,19 +226,8 @@ std::string yamlWord(const std::string& word) {
 Result<MapYaml> parseMapYaml(const std::string& text, const fs::path& yaml) {
   const std::string name = yaml.string();
   if (text.size() > kLargestText) return fail(ErrorCode::kMalformed, "is too large for a map YAML", name);
-  const auto refused = [&name](int line, const std::string& message) {
-    return fail(ErrorCode::kMalformed, message, name + ":" + std::to_string(line));
-  };
   TopLevelKeys keys;
-  try {
-    std::istringstream stream(text);
-    YAML::Parser parser(stream);
-    parser.HandleNextDocument(keys);
-  } catch (const Refusal& refusal) {
-    return refused(refusal.line, refusal.message);
-  } catch (const YAML::Exception& error) {
-    return refused(error.mark.line + 1, "is not valid YAML (" + error.msg + ")");
-  }
+  if (const Result<void> read = readYamlEvents(text, name, keys); !read) return failAs(read);
   if (keys.entries().empty())
     return fail(ErrorCode::kMalformed, "holds no map: image and resolution are missing", name);
   return readKeys(KeyReader(keys.entries(), name), yaml);

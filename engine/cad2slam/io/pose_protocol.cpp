@@ -42,8 +42,8 @@ class RequestReader : public json::json_sax_t {
   bool number_unsigned(number_unsigned_t value) override {
     return isKey("id") ? take(std::to_string(value)) : number(static_cast<double>(value));
   }
-  bool number_float(number_float_t value, const string_t&) override {
-    return isKey("id") ? take(formatNumber(value)) : number(value);
+  bool number_float(number_float_t value, const string_t& as_sent) override {
+    return isKey("id") ? take(as_sent) : number(value);
   }
   bool binary(binary_t&) override { return unexpected(); }
   bool string(string_t& value) override {

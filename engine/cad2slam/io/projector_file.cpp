@@ -14,6 +14,7 @@
 #include <deque>
 #include <functional>
 #include <future>
+#include <new>
 #include <optional>
 #include <system_error>
 #include <vector>
@@ -232,6 +233,16 @@ Result<ProjectorData> dataOf(std::string_view bytes, const std::string& file_nam
   return data;
 }
 
+/// Robots may be built without exceptions: what is left of them, where memory runs out, ends here.
+template <class Read>
+auto withinMemory(const Read& read) -> decltype(read()) {
+  try {
+    return read();
+  } catch (const std::bad_alloc&) {
+    return fail(ErrorCode::kInternal, "needs more memory than there is", "projector");
+  }
+}
+
 /// Collects arrays one behind the other and describes them.
 class DataSection {
  public:
@@ -323,23 +334,27 @@ Result<void> writeProjectorFile(const std::filesystem::path& path, const Project
 }
 
 Result<ProjectorData> parseProjectorFile(std::string_view bytes, const std::string& file_name) {
-  return dataOf(bytes, file_name);
+  return withinMemory([&] { return dataOf(bytes, file_name); });
 }
 
 Result<ProjectorData> readProjectorFile(const std::filesystem::path& path) {
-  const Result<MappedFile> file = MappedFile::open(path);
-  if (!file) return failAs(file);
-  return dataOf(file->bytes(), path.string());
+  return withinMemory([&]() -> Result<ProjectorData> {
+    const Result<MappedFile> file = MappedFile::open(path);
+    if (!file) return failAs(file);
+    return dataOf(file->bytes(), path.string());
+  });
 }
 
 Result<Projector> loadProjector(const std::filesystem::path& path) {
-  const Result<MappedFile> file = MappedFile::open(path);
-  if (!file) return failAs(file);
-  return loadBytes(file->bytes(), path.string(), [&file](std::string_view part) { file->release(part); });
+  return withinMemory([&]() -> Result<Projector> {
+    const Result<MappedFile> file = MappedFile::open(path);
+    if (!file) return failAs(file);
+    return loadBytes(file->bytes(), path.string(), [&file](std::string_view part) { file->release(part); });
+  });
 }
 
 Result<Projector> loadProjector(std::string_view bytes, const std::string& file_name) {
-  return loadBytes(bytes, file_name, {});
+  return withinMemory([&] { return loadBytes(bytes, file_name, {}); });
 }
 
 }  // namespace cad2slam

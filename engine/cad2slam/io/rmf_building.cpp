@@ -3,9 +3,8 @@
 #include "cad2slam/io/rmf_building.h"
 
 #include "cad2slam/io/atomic_file.h"
+#include "cad2slam/io/guarded_yaml.h"
 #include "cad2slam/io/text.h"
-
-#include <yaml-cpp/yaml.h>
 
 #include <optional>
 #include <set>
@@ -16,14 +15,8 @@ namespace {
 
 constexpr std::size_t kLargestText = std::size_t{1} << 26;
 
-/// Why reading ends; caught where it began.
-struct Refusal {
-  std::string message;
-  int line;
-};
-
 [[noreturn]] void refuse(const YAML::Node& node, const std::string& message) {
-  throw Refusal{message, node.Mark().line + 1};
+  throw YamlRefusal{node.Mark().line + 1, message};
 }
 
 std::string textOf(const YAML::Node& node) {
@@ -107,8 +100,10 @@ Result<RmfBuilding> parseRmfBuilding(const std::string& text, const std::string&
   const auto malformed = [&](int line, const std::string& message) {
     return fail(ErrorCode::kMalformed, message, file_name + ":" + std::to_string(line));
   };
+  const Result<YAML::Node> loaded = loadYaml(text, file_name);
+  if (!loaded) return failAs(loaded);
   try {
-    const YAML::Node root = YAML::Load(text);
+    const YAML::Node& root = *loaded;
     if (!root.IsMap() || !root["levels"].IsDefined()) {
       return fail(ErrorCode::kMalformed, "is no building of the traffic editor: it has no levels", file_name);
     }
@@ -118,7 +113,7 @@ Result<RmfBuilding> parseRmfBuilding(const std::string& text, const std::string&
       building.levels[textOf(entry.first)] = levelOf(entry.second);
     }
     return building;
-  } catch (const Refusal& refusal) {
+  } catch (const YamlRefusal& refusal) {
     return malformed(refusal.line, refusal.message);
   } catch (const YAML::Exception& error) {
     return malformed(error.mark.line + 1, "is not valid YAML (" + error.msg + ")");

@@ -3,8 +3,7 @@
 #include "cad2slam/io/true_warp_file.h"
 
 #include "cad2slam/io/atomic_file.h"
-
-#include <yaml-cpp/yaml.h>
+#include "cad2slam/io/guarded_yaml.h"
 
 #include <bit>
 #include <charconv>
@@ -53,14 +52,6 @@ Result<Shape> parseShape(std::string_view header, const std::string& file_name) 
     }
   }
   return fail(ErrorCode::kMalformed, "The grid must have the shape rows x columns x 3", file_name);
-}
-
-Result<YAML::Node> loadYaml(const std::string& text, const std::string& file_name) {
-  try {
-    return YAML::Load(text);
-  } catch (const YAML::Exception& error) {
-    return fail(ErrorCode::kMalformed, "This is not valid YAML: " + error.msg, file_name);
-  }
 }
 
 Result<TrueWarp::Layout> parseLayout(const YAML::Node& document, const std::string& file_name) {

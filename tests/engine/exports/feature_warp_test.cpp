@@ -7,25 +7,13 @@
 #include <cmath>
 #include <random>
 
+#include "support/bent_hall.h"
+
 namespace cad2slam {
 namespace {
 
 using Eigen::Vector2d;
-
-/// A hall of 20 x 10 tiles that is bent.
-Projector bentHall() {
-  ProjectorData data;
-  for (std::int32_t column = 0; column < 20; ++column) {
-    for (std::int32_t row = 0; row < 10; ++row) {
-      const double turn = 0.06 * column;
-      data.node_tile.push_back({column, row});
-      data.node_blueprint.emplace_back(column + 0.5, row + 0.5);
-      data.node_slam.push_back({(20.0 - row) * Vector2d(std::sin(turn), -std::cos(turn)), turn});
-      data.node_stretch.emplace_back(0.0, 0.0);
-    }
-  }
-  return *Projector::create(data);
-}
+using test::bentHall;
 
 double distanceToLine(const Vector2d& place, const PointList& line) {
   double nearest = std::numeric_limits<double>::infinity();

@@ -58,6 +58,8 @@ void TrueWarpFileTest::brokenTruthFiles_data() {
   };
   const QByteArray good = npy("{'descr': '<f4', 'fortran_order': False, 'shape': (2, 2, 3), }\n", 12);
   QTest::newRow("not yaml") << QByteArray("grid: [") << good;
+  QTest::newRow("aliases") << QByteArray("grid: t.npy\norigin: &o [0, 0]\nstep: 0.5\nmore: [*o, *o]\n") << good;
+  QTest::newRow("deep lists") << "grid: t.npy\norigin: " + QByteArray(60'000, '[') << good;
   QTest::newRow("no grid") << QByteArray("origin: [0, 0]\nstep: 1\n") << good;
   QTest::newRow("a list") << QByteArray("[1, 2]") << good;
   QTest::newRow("no step") << QByteArray("grid: t.npy\norigin: [0, 0]\n") << good;

@@ -6,11 +6,19 @@
 
 #include <cad2slam.h>
 
-int main(void) {
+int main(int argc, char** argv) {
   char message[256];
   cad2slam_projector* projector = NULL;
-  const int result = cad2slam_load("no such file.c2s", &projector, message, sizeof message);
+  cad2slam_pose pose = {0.75, 0.25, 0.0};
+  if (argc != 2) return 2;
+  if (cad2slam_load("no such file.c2s", &projector, message, sizeof message) != CAD2SLAM_NOT_FOUND) return 1;
   printf("%s: %s\n", cad2slam_version(), message);
+  if (cad2slam_load(argv[1], &projector, message, sizeof message) != CAD2SLAM_OK) {
+    printf("%s\n", message);
+    return 1;
+  }
+  const int status = cad2slam_slam_from_blueprint(projector, &pose, &pose, CAD2SLAM_OUTSIDE_ERROR);
   cad2slam_free(projector);
-  return result == CAD2SLAM_NOT_FOUND ? 0 : 1;
+  printf("%.3f %.3f %.3f\n", pose.x, pose.y, pose.heading);
+  return status == CAD2SLAM_INSIDE ? 0 : 1;
 }

@@ -14,13 +14,20 @@ static_assert(noexcept(std::declval<const Projector&>().slamFromBlueprint(std::d
 static_assert(noexcept(std::declval<const Projector&>().blueprintFromSlam(std::declval<const Pose2&>())));
 static_assert(noexcept(std::declval<const Projector&>().jacobian(std::declval<const Eigen::Vector2d&>())));
 
-int main() {
+int main(int argc, char** argv) {
+  if (argc != 2) return 2;
   const cad2slam::Result<cad2slam::Projector> missing = cad2slam::loadProjector("no such file.c2s");
-  if (missing) {
-    const cad2slam::Projection projection = missing->slamFromBlueprint(cad2slam::Pose2());
-    const cad2slam::Projection back = missing->blueprintFromSlam(projection.pose);
-    return back.ok() ? 1 : 2;
-  }
+  if (missing || missing.error().code != cad2slam::ErrorCode::kNotFound) return 1;
   std::printf("%s\n", missing.error().sentence().c_str());
-  return missing.error().code == cad2slam::ErrorCode::kNotFound ? 0 : 1;
+
+  const cad2slam::Result<cad2slam::Projector> projector = cad2slam::loadProjector(argv[1]);
+  if (!projector) {
+    std::printf("%s\n", projector.error().sentence().c_str());
+    return 1;
+  }
+  const Pose2 start{{0.75, 0.25}, 0.0};
+  const cad2slam::Projection there = projector->slamFromBlueprint(start);
+  const cad2slam::Projection back = projector->blueprintFromSlam(there.pose);
+  std::printf("%.3f %.3f %.3f\n", there.pose.translation.x(), there.pose.translation.y(), there.pose.heading);
+  return there.ok() && back.ok() && (back.pose.translation - start.translation).norm() < 1e-6 ? 0 : 1;
 }
