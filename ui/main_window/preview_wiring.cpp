@@ -51,12 +51,12 @@ bool PreviewWiring::eventFilter(QObject* watched, QEvent* event) {
 }
 
 void PreviewWiring::follow(const std::shared_ptr<TilePyramid>& picture) {
-  if (!picture || followed_.count(picture.get()) != 0) return;
-  const TilePyramid* key = picture.get();
-  followed_[key] = connect(picture.get(), &RasterSource::tilesChanged, this, [this] {
-    if (panel_.view().isVisible()) refresh();
-  });
-  connect(picture.get(), &QObject::destroyed, this, [this, key] { followed_.erase(key); });
+  if (picture)
+    connect(picture.get(), &RasterSource::tilesChanged, this, &PreviewWiring::onTilesChanged, Qt::UniqueConnection);
+}
+
+void PreviewWiring::onTilesChanged() {
+  if (panel_.view().isVisible()) refresh();
 }
 
 QString PreviewWiring::reason() const {
