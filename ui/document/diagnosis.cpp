@@ -19,6 +19,7 @@ using Eigen::Vector2d;
 
 constexpr double kScaleNote = 0.02;          // part by which a scale may be off without a word
 constexpr double kScaleSigmas = 2.0;         // how sure one must be of it
+constexpr double kNeighbours = 4.0;          // anchors that are wrong together
 constexpr double kLineWidth = 0.05;          // width over length of anchors that count as one line
 constexpr double kCloseShare = 0.15;         // of the blueprint's diagonal, for two anchors
 constexpr double kMirrorGain = 0.35;         // a mirrored fit has to be better by this factor
@@ -166,7 +167,9 @@ class Diagnosis {
       spread += (pair.source - mean).squaredNorm();
     }
     // Neighbouring places are wrong together in a SLAM map, so the usual 1/sqrt(n) would be too sure by far.
-    const double sigma = median(residuals) / std::sqrt(spread / static_cast<double>(pairs_.size()));
+    const double independent = std::max(1.0, static_cast<double>(pairs_.size()) / kNeighbours);
+    const double sigma =
+        median(residuals) / std::sqrt(spread / static_cast<double>(pairs_.size())) / std::sqrt(independent);
     if (std::abs(robust.scale - 1.0) > kScaleSigmas * sigma) add({Kind::kScale, {}, robust.scale, sigma, {}});
   }
 

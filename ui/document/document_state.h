@@ -29,9 +29,9 @@ inline Eigen::Vector2d& half(Anchor& anchor, Side side) {
 /// Where "ok" ends and where "look" ends: the larger of a number of SLAM map pixels and a length.
 struct ClassLimits {
   double ok_cells = 2.0;
-  double ok_m = 0.10;
+  double ok_m = 0.15;
   double look_cells = 4.0;
-  double look_m = 0.25;
+  double look_m = 0.30;
 
   friend bool operator==(const ClassLimits&, const ClassLimits&) = default;
 };

@@ -8,6 +8,9 @@
 namespace cad2slam {
 namespace {
 
+// Where the bent map is hard to guess from the neighbours all anchors are missed by much; the bad one is worse than
+// most.
+constexpr double kAgainstMedian = 2.0;
 constexpr std::size_t kSpreadFrom = 6;  // fewer numbers have no meaningful standard deviation
 
 std::optional<double> finiteOrNothing(double value) {
@@ -38,6 +41,7 @@ std::map<AnchorId, AnchorJudgement> judgeAnchors(const AnchorList& anchors, cons
   const double count = static_cast<double>(std::max<std::size_t>(used, 1));
   const double mean = sum / count;
   const double spread = std::sqrt(std::max(0.0, squares / count - mean * mean));
+  const double median = summarize(anchors, fits).median_leave_one_out_m.value_or(0.0);
   const double ok = std::max(limits.ok_cells * slam_m_per_px, limits.ok_m);
   const double look = std::max(limits.look_cells * slam_m_per_px, limits.look_m);
 
@@ -57,7 +61,7 @@ std::map<AnchorId, AnchorJudgement> judgeAnchors(const AnchorList& anchors, cons
     const bool stands_out = used >= kSpreadFrom && value > mean + 2.0 * spread;
     if (value <= ok) {
       judgement.judged = AnchorClass::kOk;
-    } else if (value > look || stands_out) {
+    } else if (stands_out || (value > look && (*judgement.residual_m > ok || value > kAgainstMedian * median))) {
       judgement.judged = AnchorClass::kBad;
     } else {
       judgement.judged = AnchorClass::kLook;

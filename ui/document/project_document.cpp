@@ -31,6 +31,11 @@ ProjectDocument::ProjectDocument(QObject* parent) : QObject(parent) {
   connect(&undo_stack_, &QUndoStack::cleanChanged, this, [this] { announce({Change::kSavedState, {}, {}, {}}); });
 }
 
+ProjectDocument::~ProjectDocument() {
+  // A stack with unsaved edits reports itself clean while it goes away; by then the listeners are half gone.
+  undo_stack_.disconnect(this);
+}
+
 const ProjectSlamMap* ProjectDocument::currentMap() const {
   const auto& maps = project().slam_maps;
   const auto found = std::find_if(maps.begin(), maps.end(), [&](const auto& map) { return map.name == current_map_; });
@@ -141,6 +146,7 @@ Project ProjectDocument::projectToSave() const {
   app.current_map = currentMapName();
   app.views = view_state_;
   result.view_state_json = appStateToJson(app);
+  if (!path_.empty()) result.name = toStd(toQString(path_.stem()));
   result.app_version = toStd(QCoreApplication::applicationVersion());
   return result;
 }

@@ -26,6 +26,7 @@ class ProjectDocument : public QObject {
 
  public:
   explicit ProjectDocument(QObject* parent = nullptr);
+  ~ProjectDocument() override;
 
   [[nodiscard]] const DocumentState& state() const { return state_; }
   [[nodiscard]] const Project& project() const { return state_.project; }

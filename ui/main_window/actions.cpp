@@ -66,7 +66,7 @@ constexpr Spec kSpecs[] = {
     {kSelectAll, QT_TRANSLATE_NOOP("cad2slam::Actions", "Select &all"),
      QT_TRANSLATE_NOOP("cad2slam::Actions", "Select all anchors"), "Ctrl+A", nullptr},
     {kDisableWorst, QT_TRANSLATE_NOOP("cad2slam::Actions", "Disable &worst"),
-     QT_TRANSLATE_NOOP("cad2slam::Actions", "Do not use the anchor with the largest error"), "", nullptr},
+     QT_TRANSLATE_NOOP("cad2slam::Actions", "Do not use the anchor with the largest error"), "", "bad"},
     {kLock, QT_TRANSLATE_NOOP("cad2slam::Actions", "&Lock anchors"),
      QT_TRANSLATE_NOOP("cad2slam::Actions", "Look only: no anchor can be changed"), "K", "lock", true},
     {kSnap, QT_TRANSLATE_NOOP("cad2slam::Actions", "&Snap to corners"),

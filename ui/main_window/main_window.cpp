@@ -47,6 +47,7 @@ QWidget* titled(const QString& title, QWidget* extra, MapView* view) {
   auto* pane = new QWidget;
   auto* heading = new QHBoxLayout;
   heading->setContentsMargins(8, 2, 8, 2);
+  heading->setSpacing(8);
   auto* label = new QLabel(title);
   QFont bold = label->font();
   bold.setBold(true);
@@ -58,6 +59,8 @@ QWidget* titled(const QString& title, QWidget* extra, MapView* view) {
   auto* layout = new QVBoxLayout(pane);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(0);
+  // Both headings are as high as one with a choice in it, so that the views are level.
+  heading->addStrut(QComboBox().sizeHint().height());
   layout->addLayout(heading);
   layout->addWidget(view, 1);
   return pane;
@@ -80,7 +83,13 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent), actions_(new Acti
   refreshStatus();
 }
 
-MainWindow::~MainWindow() = default;
+MainWindow::~MainWindow() {
+  // The widgets look at the session to their last moment: a cell being edited, for one, is written when it loses focus.
+  hide();
+  delete anchor_dock_;
+  delete preview_dock_;
+  delete takeCentralWidget();
+}
 
 MapView& MainWindow::view(Side side) {
   return side == Side::kBlueprint ? *blueprint_view_ : *slam_view_;
@@ -130,7 +139,7 @@ void MainWindow::layOut() {
   addDockWidget(Qt::BottomDockWidgetArea, preview_dock_);
   splitDockWidget(anchor_dock_, preview_dock_, Qt::Horizontal);
   resizeDocks({anchor_dock_, preview_dock_}, {300, 300}, Qt::Vertical);
-  resizeDocks({anchor_dock_, preview_dock_}, {720, 640}, Qt::Horizontal);
+  resizeDocks({anchor_dock_, preview_dock_}, {760, 600}, Qt::Horizontal);
 
   const Menus menus = buildMenus(*this, *actions_);
   buildToolBar(*this, *actions_);
@@ -300,11 +309,14 @@ void MainWindow::connectTestPoses() {
   connect(views_, &ViewPair::poseDragged, test_poses_, &TestPoses::drag);
   connect(views_, &ViewPair::poseTurned, test_poses_, &TestPoses::turn);
   const auto middle = [this] { return blueprint_view_->viewState().center_m; };
-  connect((*actions_)[kTestPose], &QAction::toggled, this,
-          [this, middle](bool on_now) { test_poses_->setRobotVisible(on_now, middle()); });
+  connect((*actions_)[kTestPose], &QAction::toggled, this, [this, middle](bool on_now) {
+    if (!on_now) status_->setReadout({});
+    test_poses_->setRobotVisible(on_now, middle());
+  });
   connect((*actions_)[kPlanPath], &QAction::toggled, this, [this, middle](bool on_now) {
     if (on_now) (*actions_)[kTestPose]->setChecked(true);
-    test_poses_->setPathVisible(on_now, middle());
+    const QPointF aside(0.75 * blueprint_view_->width(), 0.5 * blueprint_view_->height());
+    test_poses_->setPathVisible(on_now, blueprint_view_->metresFromWidget(aside));
   });
   connect((*actions_)[kLoadPoses], &QAction::triggered, this, [this] { askPoses(*this); });
 }
@@ -399,6 +411,7 @@ void MainWindow::keyPressEvent(QKeyEvent* event) {
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
+  if (QWidget* editing = focusWidget()) editing->clearFocus();  // what is being typed counts
   if (files_->mayClose()) {
     recovery_->autosave().clear();
     QSettings settings;

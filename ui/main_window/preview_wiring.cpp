@@ -51,12 +51,12 @@ bool PreviewWiring::eventFilter(QObject* watched, QEvent* event) {
 }
 
 void PreviewWiring::follow(const std::shared_ptr<TilePyramid>& picture) {
-  if (!picture || followed_.count(picture.get()) != 0) return;
-  const TilePyramid* key = picture.get();
-  followed_[key] = connect(picture.get(), &RasterSource::tilesChanged, this, [this] {
-    if (panel_.view().isVisible()) refresh();
-  });
-  connect(picture.get(), &QObject::destroyed, this, [this, key] { followed_.erase(key); });
+  if (picture)
+    connect(picture.get(), &RasterSource::tilesChanged, this, &PreviewWiring::onTilesChanged, Qt::UniqueConnection);
+}
+
+void PreviewWiring::onTilesChanged() {
+  if (panel_.view().isVisible()) refresh();
 }
 
 QString PreviewWiring::reason() const {
@@ -85,14 +85,15 @@ QString PreviewWiring::notCurrent() const {
 void PreviewWiring::showBase() {
   const Side side = baseSide();
   const std::optional<MapFrame>& frame = session_.rasters().frame(side);
-  const std::shared_ptr<TilePyramid>& picture = session_.rasters().picture(side);
+  // A picture may be there before its frame is.
+  const std::shared_ptr<TilePyramid> picture = frame ? session_.rasters().picture(side) : nullptr;
   PreviewView& view = panel_.view();
   if (frame) view.setFrame(*frame);
   if (picture == base_picture_) return;
   base_picture_ = picture;
   view.clearPicture();
-  view.setImage(frame ? std::static_pointer_cast<RasterSource>(picture) : nullptr);
-  if (frame) view.fit();
+  view.setImage(picture);
+  if (picture) view.fit();
 }
 
 void PreviewWiring::addOtherMaps(PreviewScene& scene, std::vector<InkEntry>& inks) {

@@ -40,6 +40,7 @@ class PreviewWiring : public QObject {
   [[nodiscard]] QString reason() const;
   [[nodiscard]] QString notCurrent() const;
   void follow(const std::shared_ptr<TilePyramid>& picture);
+  void onTilesChanged();
 
   Session& session_;
   PreviewPanel& panel_;
@@ -47,7 +48,6 @@ class PreviewWiring : public QObject {
   bool stale_ = true;
   std::shared_ptr<TilePyramid> base_picture_;
   std::map<std::string, std::shared_ptr<TilePyramid>> other_pictures_;  // by image file
-  std::map<const TilePyramid*, QMetaObject::Connection> followed_;
 };
 
 }  // namespace cad2slam

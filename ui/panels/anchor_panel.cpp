@@ -37,7 +37,6 @@ AnchorPanel::AnchorPanel(ProjectDocument& document, AnchorSelection& selection, 
 
   tool_bar_ = new QToolBar(this);
   tool_bar_->setIconSize({18, 18});
-  tool_bar_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
 
   table_ = new QTableView(this);
   table_->setObjectName(QStringLiteral("anchorTable"));
@@ -55,17 +54,24 @@ AnchorPanel::AnchorPanel(ProjectDocument& document, AnchorSelection& selection, 
   table_->verticalHeader()->setDefaultSectionSize(table_->fontMetrics().height() + 6);
   table_->horizontalHeader()->setStretchLastSection(true);
   table_->horizontalHeader()->setHighlightSections(false);
+  // Headers of two lines: every number of an anchor is in sight without scrolling.
+  const QFontMetrics metrics = table_->fontMetrics();
+  table_->horizontalHeader()->setDefaultAlignment(Qt::AlignCenter | static_cast<Qt::Alignment>(Qt::TextWordWrap));
+  table_->horizontalHeader()->setMinimumHeight(2 * metrics.height() + 8);
   auto* delegate = new CoordinateDelegate(table_);
   for (int column = 0; column < AnchorTableModel::kColumnCount; ++column) {
     const QString header = model_.headerData(column, Qt::Horizontal, Qt::DisplayRole).toString();
-    table_->setColumnWidth(column, std::max(64, table_->fontMetrics().horizontalAdvance(header) + 34));
+    int width = metrics.horizontalAdvance(QStringLiteral("-1234.567")) + 12;
+    for (const QString& word : header.split(QLatin1Char(' ')))
+      width = std::max(width, metrics.horizontalAdvance(word) + 12);
+    table_->setColumnWidth(column, width);
   }
   for (int column = AnchorTableModel::kBlueprintX; column <= AnchorTableModel::kSlamY; ++column)
     table_->setItemDelegateForColumn(column, delegate);
-  table_->setColumnWidth(AnchorTableModel::kEnabled, 44);
-  table_->setColumnWidth(AnchorTableModel::kNumber, 48);
-  table_->setColumnWidth(AnchorTableModel::kName, 120);
-  table_->setColumnWidth(AnchorTableModel::kFlag, 130);
+  table_->setColumnWidth(AnchorTableModel::kEnabled, metrics.horizontalAdvance(QLatin1Char('0')) * 5);
+  table_->setColumnWidth(AnchorTableModel::kNumber, metrics.horizontalAdvance(QLatin1Char('0')) * 6);
+  table_->setColumnWidth(AnchorTableModel::kName, metrics.horizontalAdvance(QLatin1Char('0')) * 10);
+  table_->setColumnWidth(AnchorTableModel::kFlag, metrics.horizontalAdvance(QLatin1Char('0')) * 10);
   table_->installEventFilter(this);
 
   hint_ = new QLabel(tr("No anchors yet. Click a corner or pillar in either view, then the same place in the other."),

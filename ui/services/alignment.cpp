@@ -100,6 +100,7 @@ void Alignment::setResult(SolveResultPtr result) {
   }
   if (!result && !result_) return;
   result_ = std::move(result);
+  if (!result_ && status_ == AlignmentStatus::kUpToDate) status_ = AlignmentStatus::kNotReady;  // listeners rely on it
   emit resultChanged();
 }
 

@@ -82,14 +82,13 @@ void RasterStore::load(Side side, const ProjectRaster& raster, const std::string
   Slot& slot = at(side);
   slot.clear();
   slot.wanted = raster.metadata;
+  slot.loading = true;
   const int ticket = slot.ticket;
   emit changed(side, true);
   slot.picture = TilePyramid::load(raster.metadata.image, raster.metadata.mirrored);
-  ++loading_;
   auto* watcher = new QFutureWatcher<Answer>(this);
   connect(watcher, &QFutureWatcher<Answer>::finished, this, [this, watcher, side, ticket, raster, map] {
     watcher->deleteLater();
-    --loading_;
     take(side, ticket, raster, map, watcher->result());
   });
   const bool want_grid = side == Side::kBlueprint;
@@ -120,6 +119,7 @@ void RasterStore::take(Side side, int ticket, const ProjectRaster& raster, const
                        const Answer& answer) {
   Slot& slot = at(side);
   if (slot.ticket != ticket) return;
+  slot.loading = false;
   if (!answer.frame) {
     slot.clear();
     const bool missing = answer.state == RasterState::kMissing || answer.frame.error().code == ErrorCode::kNotFound;

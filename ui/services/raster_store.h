@@ -39,7 +39,7 @@ class RasterStore : public QObject {
   [[nodiscard]] const std::optional<MapFrame>& frame(Side side) const { return at(side).frame; }
   [[nodiscard]] const std::shared_ptr<TilePyramid>& picture(Side side) const { return at(side).picture; }
   [[nodiscard]] const std::shared_ptr<const OccupancyGrid>& grid(Side side) const { return at(side).grid; }
-  [[nodiscard]] bool isLoading() const { return loading_ > 0; }
+  [[nodiscard]] bool isLoading() const { return slots_[0].loading || slots_[1].loading; }
 
  signals:
   /// Picture, frame or grid of a side are there, others, or gone. `new_picture`: not just another frame for it.
@@ -53,6 +53,7 @@ class RasterStore : public QObject {
     std::optional<MapFrame> frame;
     std::shared_ptr<TilePyramid> picture;
     std::shared_ptr<const OccupancyGrid> grid;
+    bool loading = false;
     int ticket = 0;  // of the newest request; answers to older ones are dropped
 
     void clear() {
@@ -73,7 +74,6 @@ class RasterStore : public QObject {
   ProjectDocument& document_;
   Slot slots_[2];
   QThreadPool pool_;
-  int loading_ = 0;
 };
 
 }  // namespace cad2slam

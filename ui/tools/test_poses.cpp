@@ -15,7 +15,6 @@ namespace cad2slam {
 namespace {
 
 constexpr double kRobotRadius = 0.3;               // [m]
-constexpr double kStepAside = 2.0;                 // [m] of the goal from the robot, when it first appears
 constexpr std::size_t kLargestPoseCount = 20'000;  // more would only be ink
 const QColor kRobotColor(0xe0, 0x5a, 0x00);
 const QColor kGoalColor(0x2e, 0x7d, 0x32);
@@ -65,7 +64,7 @@ void TestPoses::setRobotVisible(bool visible, const QPointF& where) {
 void TestPoses::setPathVisible(bool visible, const QPointF& where) {
   path_visible_ = visible;
   if (visible && !placed_[1]) {
-    poses_[1] = {(placed_[0] ? poses_[0].translation : toEigen(where)) + Eigen::Vector2d(kStepAside, 0.0), 0.0};
+    poses_[1] = {toEigen(where), 0.0};
     placed_[1] = true;
   }
   if (visible) plan();

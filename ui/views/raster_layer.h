@@ -29,6 +29,9 @@ class RasterLayer {
   /// Fills the rectangle (0, 0, size) of the painter, logical pixels; `background` where the raster is not.
   void paint(QPainter& painter, const QTransform& widget_from_image, const QSize& size, const QColor& background);
 
+  /// Whether the last picture had all its tiles; where not, tilesChanged() of the source tells when to refresh.
+  [[nodiscard]] bool isComplete() const { return patch_complete_; }
+
   /// The level a raster is drawn from when one of its pixels covers `device_px` device pixels.
   [[nodiscard]] static int levelForScale(double device_px, int level_count);
 

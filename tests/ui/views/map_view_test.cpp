@@ -3,18 +3,17 @@
 #include "ui/views/map_view.h"
 
 #include <QApplication>
-#include <QMimeData>
 #include <QSignalSpy>
 #include <QTest>
-#include <QWheelEvent>
 
 #include "ui/convert.h"
-#include "ui/support/rasters.h"
+#include "ui/support/shown_view.h"
 
 namespace cad2slam {
 namespace {
 
-constexpr double kResolution = 0.05;
+using test::Shown;
+constexpr double kResolution = test::kShownResolution;
 
 double distance(const QPointF& a, const QPointF& b) {
   return std::hypot(a.x() - b.x(), a.y() - b.y());
@@ -27,37 +26,6 @@ Marker markerAt(MarkerId id, const QPointF& point_m) {
   marker.point_m = point_m;
   return marker;
 }
-
-/// A shown view over a plain raster with a turned, shifted frame.
-class Shown {
- public:
-  explicit Shown(const cv::Mat& pixels = cv::Mat(600, 800, CV_8UC1, cv::Scalar(255)))
-      : frame(test::frameOf(pixels, kResolution, {{-3.0, 2.0}, 0.3})) {
-    view.setImage(TilePyramid::fromPixels(pixels));
-    view.setFrame(frame);
-    view.resize(640, 480);
-    view.show();
-    QVERIFY(QTest::qWaitForWindowExposed(&view));
-    view.fit();
-    view.setFocus();
-  }
-  [[nodiscard]] QPointF middle() const { return toQPointF(frame.metricFromPixel({400.0, 300.0})); }
-  [[nodiscard]] QPoint at(const QPointF& point_m) const { return view.widgetFromMetres(point_m).toPoint(); }
-
-  void wheel(const QPointF& at_px, int angle, Qt::KeyboardModifiers modifiers = Qt::NoModifier) {
-    QWheelEvent event(at_px, view.mapToGlobal(at_px), QPoint(), QPoint(0, angle), Qt::NoButton, modifiers,
-                      Qt::NoScrollPhase, false);
-    QCoreApplication::sendEvent(&view, &event);
-  }
-  void drag(const QPoint& from, const QPoint& to, Qt::MouseButton button = Qt::LeftButton) {
-    QTest::mousePress(&view, button, {}, from);
-    for (int step = 1; step <= 5; ++step) QTest::mouseMove(&view, from + (to - from) * step / 5);
-    QTest::mouseRelease(&view, button, {}, to);
-  }
-
-  MapFrame frame;
-  MapView view;
-};
 
 class MapViewTest : public QObject {
   Q_OBJECT
@@ -377,134 +345,6 @@ class MapViewTest : public QObject {
     QCOMPARE(finished.size(), 0);
     QTest::mouseRelease(&shown.view, Qt::LeftButton, {}, start + QPoint(30, 0));
     QCOMPARE(finished.size(), 1);
-  }
-
-  void fitShowsTheWholeRasterAndStaysWhileResizing() {
-    Shown shown;
-    for (const QSize size : {QSize(640, 480), QSize(300, 700), QSize(900, 200)}) {
-      for (const double rotation : {0.0, 0.8}) {
-        shown.view.setRotation(rotation);
-        shown.view.fit();
-        shown.view.resize(size);
-        QCoreApplication::processEvents();
-        for (const Eigen::Vector2d& corner :
-             {Eigen::Vector2d(0, 0), Eigen::Vector2d(800, 0), Eigen::Vector2d(0, 600), Eigen::Vector2d(800, 600)}) {
-          QVERIFY(shown.view.isInView(toQPointF(shown.frame.metricFromPixel(corner)), 0.0));
-        }
-      }
-    }
-    const ViewState before = shown.view.viewState();
-    shown.wheel(QPointF(100, 100), 120);
-    const double zoomed = shown.view.viewState().m_per_px;
-    QVERIFY(zoomed < before.m_per_px);
-    shown.view.resize(500, 500);
-    QCoreApplication::processEvents();
-    QCOMPARE(shown.view.viewState().m_per_px, zoomed);  // the user's view is not thrown away
-  }
-
-  void actualSizeIsOneDevicePixel() {
-    Shown shown;
-    shown.view.showActualSize();
-    QVERIFY(std::abs(shown.view.viewState().m_per_px - kResolution * shown.view.devicePixelRatioF()) < 1e-12);
-  }
-
-  void glideArrivesAndNeverZooms() {
-    Shown shown;
-    const QPointF target = toQPointF(shown.frame.metricFromPixel({700, 500}));
-    const ViewState before = shown.view.viewState();
-    shown.view.centerOn(target, true);
-    QTRY_VERIFY(distance(shown.view.viewState().center_m, target) < 1e-9);
-    QCOMPARE(shown.view.viewState().m_per_px, before.m_per_px);
-    QCOMPARE(shown.view.viewState().rotation_rad, before.rotation_rad);
-  }
-
-  void compassTurnsAndResets() {
-    Shown shown;
-    const QPoint compass(640 - 27, 27);
-    shown.drag(compass + QPoint(0, -15), compass + QPoint(15, 0));
-    QVERIFY2(std::abs(shown.view.viewState().rotation_rad + kPi / 2.0) < 0.1,
-             qPrintable(QString::number(shown.view.viewState().rotation_rad)));
-    QTest::mouseClick(&shown.view, Qt::LeftButton, {}, compass);
-    QCOMPARE(shown.view.viewState().rotation_rad, 0.0);
-  }
-
-  void posesAreMovedAndTurned() {
-    Shown shown;
-    PoseGlyph pose;
-    pose.id = 1000;
-    pose.point_m = shown.middle();
-    pose.heading_rad = 0.0;
-    pose.turnable = true;
-    pose.color = Qt::darkGreen;
-    shown.view.setPoses({pose});
-    QSignalSpy finished(&shown.view, &MapView::dragFinished);
-    QSignalSpy turned(&shown.view, &MapView::poseTurnFinished);
-    const QPoint body = shown.at(pose.point_m);
-    shown.drag(body, body + QPoint(-50, 20));
-    QCOMPARE(finished.size(), 1);
-    const double radius = std::max(7.0, pose.radius_m / shown.view.viewState().m_per_px);
-    const QPoint handle = body + QPoint(static_cast<int>(radius) + 22, 0);
-    shown.drag(handle, body + QPoint(0, -60));
-    QCOMPARE(turned.size(), 1);
-    QVERIFY(std::abs(turned[0][1].toDouble() - kPi / 2.0) < 0.05);
-  }
-
-  void rasterIsDrawnWhereTheFrameSaysIt_data() {
-    QTest::addColumn<double>("rotation");
-    QTest::addColumn<double>("zoom");
-    for (const double rotation : {0.0, 0.5, -1.9, 3.1}) {
-      for (const double zoom : {0.4, 1.0, 2.7, 9.0}) {
-        QTest::addRow("%g rad, x%g", rotation, zoom) << rotation << zoom;
-      }
-    }
-  }
-  void rasterIsDrawnWhereTheFrameSaysIt() {
-    QFETCH(double, rotation);
-    QFETCH(double, zoom);
-    cv::Mat pixels(600, 800, CV_8UC1, cv::Scalar(255));
-    pixels(cv::Rect(400, 300, 16, 16)).setTo(0);
-    Shown shown(pixels);
-    shown.view.setSnapping(false);
-    shown.view.setRotation(rotation);
-    shown.view.setViewState({toQPointF(shown.frame.metricFromPixel({406.0, 310.0})), kResolution / zoom, rotation});
-    QCoreApplication::processEvents();
-    const QImage picture = shown.view.grab().toImage();
-    const double ratio = shown.view.devicePixelRatioF();
-    const auto greyAt = [&](double column, double row) {
-      const QPointF at = shown.view.widgetFromMetres(toQPointF(shown.frame.metricFromPixel({column, row}))) * ratio;
-      return qGray(picture.pixel(static_cast<int>(std::floor(at.x())), static_cast<int>(std::floor(at.y()))));
-    };
-    const double far = 4.0 / zoom / ratio + 1.0;  // a few device pixels beside the edge
-    QVERIFY(greyAt(408.0, 308.0) < 60);
-    if (16.0 > 2.0 * far) {
-      QVERIFY(greyAt(400.0 + far, 308.0) < 60);
-      QVERIFY(greyAt(408.0, 316.0 - far) < 60);
-    }
-    QVERIFY(greyAt(400.0 - far, 308.0) > 200);
-    QVERIFY(greyAt(416.0 + far, 308.0) > 200);
-    QVERIFY(greyAt(408.0, 300.0 - far) > 200);
-    QVERIFY(greyAt(408.0, 316.0 + far) > 200);
-  }
-
-  void withoutAnImageNothingIsPlaced() {
-    MapView view;
-    view.setEmptyText(QStringLiteral("Drop a blueprint here"));
-    view.resize(300, 200);
-    view.show();
-    QVERIFY(QTest::qWaitForWindowExposed(&view));
-    QSignalSpy clicked(&view, &MapView::clicked);
-    QSignalSpy dropped(&view, &MapView::filesDropped);
-    QTest::mouseClick(&view, Qt::LeftButton, {}, QPoint(100, 100));
-    QCOMPARE(clicked.size(), 0);
-    QMimeData mime;
-    mime.setUrls({QUrl::fromLocalFile(QStringLiteral("/tmp/plan.png")), QUrl(QStringLiteral("http://example.org/x"))});
-    QDragEnterEvent enter(QPoint(50, 50), Qt::CopyAction, &mime, Qt::LeftButton, Qt::NoModifier);
-    QCoreApplication::sendEvent(&view, &enter);
-    QVERIFY(enter.isAccepted());
-    QDropEvent drop(QPointF(50, 50), Qt::CopyAction, &mime, Qt::LeftButton, Qt::NoModifier);
-    QCoreApplication::sendEvent(&view, &drop);
-    QCOMPARE(dropped.size(), 1);
-    QCOMPARE(dropped[0][0].toStringList(), QStringList{QStringLiteral("/tmp/plan.png")});
   }
 };
 
