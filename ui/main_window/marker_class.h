@@ -10,11 +10,16 @@ namespace cad2slam {
 /// How the views draw a verdict.
 [[nodiscard]] inline MarkerClass markerClass(AnchorClass judged) {
   switch (judged) {
-    case AnchorClass::kPlain: return MarkerClass::kPlain;
-    case AnchorClass::kOk: return MarkerClass::kOk;
-    case AnchorClass::kLook: return MarkerClass::kLook;
-    case AnchorClass::kBad: return MarkerClass::kBad;
-    case AnchorClass::kDisabled: return MarkerClass::kDisabled;
+    case AnchorClass::kPlain:
+      return MarkerClass::kPlain;
+    case AnchorClass::kOk:
+      return MarkerClass::kOk;
+    case AnchorClass::kLook:
+      return MarkerClass::kLook;
+    case AnchorClass::kBad:
+      return MarkerClass::kBad;
+    case AnchorClass::kDisabled:
+      return MarkerClass::kDisabled;
   }
   return MarkerClass::kPlain;
 }

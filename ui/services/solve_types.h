@@ -49,7 +49,7 @@ struct SolveResult {
   Solution solution;
   Projector projector;
   std::vector<NodeIndex> folded_nodes;  ///< where the projection turns over
-  double seconds = 0.0;  ///< from the start of the work to its end, mesh included
+  double seconds = 0.0;                 ///< from the start of the work to its end, mesh included
 };
 
 using SolveResultPtr = std::shared_ptr<const SolveResult>;

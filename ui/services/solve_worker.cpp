@@ -88,9 +88,9 @@ Result<SolveResultPtr> SolveWorker::solve(const SolveRequest& request, const Ite
   for (NodeIndex node = 0; projector->foldedTileCount() > 0 && node < at.mesh->nodeCount(); ++node)
     if (projector->jacobian(at.mesh->centers()[node]).determinant() <= 0.0) folded.push_back(node);
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-  return std::make_shared<const SolveResult>(
-      SolveResult{request.revision, request.map, request.quality, at.mesh, request.anchors, std::move(*solution),
-                  std::move(*projector), std::move(folded), seconds});
+  return std::make_shared<const SolveResult>(SolveResult{request.revision, request.map, request.quality, at.mesh,
+                                                         request.anchors, std::move(*solution), std::move(*projector),
+                                                         std::move(folded), seconds});
 }
 
 double SolveWorker::sigma(const std::string& map, const Eigen::Vector2d& point_in_blueprint) const {

@@ -210,8 +210,9 @@ class FilesTest : public QObject {
     office.addExact(3);
     const std::string before = test::fingerprint(office.document());
     const QString yaml = sandbox_->path(QStringLiteral("bad.yaml"));
-    for (const QByteArray& text : {QByteArray("image: nowhere.png\nresolution: 0.05\norigin: [0, 0, 0]\n"),
-                                  QByteArray("resolution: -1\n"), QByteArray("\0\1\2", 3), QByteArray("image: [1\n")}) {
+    for (const QByteArray& text :
+         {QByteArray("image: nowhere.png\nresolution: 0.05\norigin: [0, 0, 0]\n"), QByteArray("resolution: -1\n"),
+          QByteArray("\0\1\2", 3), QByteArray("image: [1\n")}) {
       write(yaml, text);
       QVERIFY(!office.window.files().setImage(Side::kSlam, yaml));
       QVERIFY(office.hasMessage(QStringLiteral("choose-image")));
