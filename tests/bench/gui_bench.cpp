@@ -148,15 +148,16 @@ int main(int argc, char** argv) {
 
   QElapsedTimer since;
   since.start();
-  Heartbeat heart;
   MainWindow window;
   window.resize(1400, 900);
   window.show();
+  QCoreApplication::processEvents();
+  Heartbeat heart;  // before it there is no window that could hang
   window.files().openProject(project);
   Session& session = window.session();
   const auto is_solved = [&] { return session.alignment().status() == AlignmentStatus::kUpToDate; };
   if (!waitFor([&] { return session.isReady(); })) return 1;
-  window.grab();
+  QCoreApplication::processEvents();
   report.insert(QStringLiteral("start_to_usable_ms"), static_cast<double>(since.nsecsElapsed()) / 1e6);
   if (!waitFor(is_solved)) return 1;
   idleFor(2000);

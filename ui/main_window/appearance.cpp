@@ -10,6 +10,7 @@
 #include <QStyle>
 #include <QStyleFactory>
 #include <QTranslator>
+#include <QWidget>
 
 #include <algorithm>
 
@@ -99,6 +100,12 @@ void applyTheme(Theme theme) {
         "QPushButton, QLineEdit, QComboBox { padding: 3px 8px; }"
         "*:focus { outline: 2px solid black; }");
   qApp->setStyleSheet(sheet);
+  // Sheets of single widgets have looked up the colours of the palette before.
+  for (QWidget* widget : QApplication::allWidgets())
+    if (const QString own = widget->styleSheet(); !own.isEmpty()) {
+      widget->setStyleSheet({});
+      widget->setStyleSheet(own);
+    }
 }
 
 void applyLanguage(const QString& language) {
