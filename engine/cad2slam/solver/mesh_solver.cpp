@@ -77,6 +77,7 @@ NormalMatrix::SparseColumns derivativeColumns(const Objective& objective, const 
   };
   append(left, 0);
   if (right != nullptr) append(*right, 2);
+  columns.count = right != nullptr ? 4 : 2;
   return columns;
 }
 
@@ -283,6 +284,16 @@ AnchorTerm MeshSolver::Impl::predictionAt(const Vector2d& in_blueprint, const Ve
 /// Residuals, and leave-one-out residuals from the one factorisation: without anchor c the minimum moves by
 /// (J^T W J)^-1 J_c^T w (I - w G_cc)^-1 e_c with G = J (J^T W J)^-1 J^T, to first order (DESIGN.md section 3).
 void MeshSolver::Impl::diagnoseAnchors(const AnchorList& anchors, Solution& solution) {
+  // In the stretch model an anchor is tied to the very blend that predicts it; in the rigid model to its nearest node.
+  const bool is_tied_to_prediction = objective_.unknowns == kStretchUnknowns;
+  std::vector<NormalMatrix::SparseColumns> derivatives;
+  for (const Anchor& anchor : anchors) {
+    if (!anchor.enabled) continue;
+    const AnchorTerm prediction = predictionAt(anchor.in_blueprint, anchor.in_slam);
+    derivatives.push_back(derivativeColumns(objective_, objective_.anchors[derivatives.size()],
+                                            is_tied_to_prediction ? nullptr : &prediction, x_.data()));
+  }
+  const std::vector<Eigen::Matrix4d> grams = normal_.inverseForms(derivatives);
   double whitened = 0.0;
   std::size_t term = 0;
   for (const Anchor& anchor : anchors) {
@@ -300,14 +311,15 @@ void MeshSolver::Impl::diagnoseAnchors(const AnchorList& anchors, Solution& solu
     fit.predicted = fit.predicted_without = anchor.in_slam + residual;
     fit.residual_m = fit.leave_one_out_m = residual.norm();
     if (anchor.enabled) {
+      const Eigen::Matrix4d& gram = grams[term];
       const AnchorTerm& used = objective_.anchors[term++];
       const Vector2d used_residual = residualOf(objective_, used, x_.data());
       fit.loss_weight = lossWeight(used_residual.squaredNorm(), objective_.loss_width_m);
       const double weight = objective_.anchor_information * fit.loss_weight;
-      const Eigen::Matrix4d gram = normal_.inverseForm(derivativeColumns(objective_, used, &prediction, x_.data()));
       const Matrix2d remaining = Matrix2d::Identity() - weight * gram.topLeftCorner<2, 2>();
       const Vector2d pushed = remaining.inverse() * used_residual;
-      const Vector2d without = residual + gram.bottomLeftCorner<2, 2>() * (weight * pushed);
+      const Matrix2d across = is_tied_to_prediction ? gram.topLeftCorner<2, 2>() : gram.bottomLeftCorner<2, 2>();
+      const Vector2d without = residual + across * (weight * pushed);
       if (without.allFinite()) {
         fit.predicted_without = anchor.in_slam + without;
         fit.leave_one_out_m = without.norm();
@@ -335,10 +347,17 @@ void MeshSolver::Impl::addComponentWarning(Solution& solution) const {
 std::vector<double> MeshSolver::Impl::projectionSigma(const std::vector<Vector2d>& points) const {
   std::vector<double> sigmas(points.size(), kNaN);
   if (!std::isfinite(variance_factor_)) return sigmas;
+  std::vector<std::size_t> known;
+  std::vector<NormalMatrix::SparseColumns> derivatives;
   for (std::size_t i = 0; i < points.size(); ++i) {
     if (!points[i].allFinite() || !isActive(points[i])) continue;
-    const AnchorTerm term = predictionAt(points[i], Vector2d::Zero());
-    const Eigen::Matrix4d gram = normal_.inverseForm(derivativeColumns(objective_, term, nullptr, x_.data()));
+    known.push_back(i);
+    derivatives.push_back(derivativeColumns(objective_, predictionAt(points[i], Vector2d::Zero()), nullptr, x_.data()));
+  }
+  const std::vector<Eigen::Matrix4d> grams = normal_.inverseForms(derivatives);
+  for (std::size_t k = 0; k < known.size(); ++k) {
+    const std::size_t i = known[k];
+    const Eigen::Matrix4d& gram = grams[k];
     sigmas[i] = std::sqrt(0.5 * variance_factor_ * gram.topLeftCorner<2, 2>().trace());
     // Mesh and plate see the same anchors: their errors are taken as fully dependent.
     if (plate_) sigmas[i] = (1.0 - plate_share_) * sigmas[i] + plate_share_ * plate_->sigma(points[i]);

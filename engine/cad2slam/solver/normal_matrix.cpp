@@ -15,7 +15,8 @@ using Vector5d = Eigen::Matrix<double, 5, 1>;
 using Matrix5d = Eigen::Matrix<double, 5, 5>;
 using Matrix25d = Eigen::Matrix<double, 2, 5>;
 
-using Rows4 = Eigen::Matrix<double, Eigen::Dynamic, 4, Eigen::RowMajor>;
+constexpr int kFormColumns = 16;  // right-hand sides that share one walk through the factor
+using FormRows = Eigen::Matrix<double, Eigen::Dynamic, kFormColumns, Eigen::RowMajor>;
 
 /// cholmod_common with our settings; no printing, no abort.
 class Session {
@@ -98,11 +99,13 @@ class NormalMatrix::Impl {
   bool analyse(const Objective& objective, const std::vector<NodeIndex>& node_order);
   bool factorise(const Objective& objective, const double* x, double damping);
   bool solve(const Eigen::VectorXd& right, Eigen::VectorXd& solution);
-  [[nodiscard]] Eigen::Matrix4d inverseForm(const SparseColumns& columns) const;
+  [[nodiscard]] std::vector<Eigen::Matrix4d> inverseForms(const std::vector<SparseColumns>& forms) const;
   [[nodiscard]] bool hasFactor(std::size_t size) const { return factorised_ && matrix_->nrow == size; }
 
  private:
   void clear();
+  [[nodiscard]] std::vector<int> pathsOf(const std::vector<const SparseColumns*>& forms) const;
+  void formsOfBatch(const std::vector<const SparseColumns*>& batch, std::vector<Eigen::Matrix4d*>& grams) const;
   void layOut(const Objective& objective);
   template <int kUnknowns>
   void assemble(const Objective& objective, const double* x);
@@ -119,7 +122,8 @@ class NormalMatrix::Impl {
   bool factorised_ = false;
   std::vector<int> inverse_permutation_;
   std::vector<int> column_supernode_;
-  mutable Rows4 path_rows_;
+  mutable FormRows path_rows_;
+  mutable std::vector<bool> on_path_;
   cholmod_dense* solution_ = nullptr;  // workspaces that cholmod_solve2 reuses
   cholmod_dense* work_y_ = nullptr;
   cholmod_dense* work_e_ = nullptr;
@@ -293,49 +297,100 @@ bool NormalMatrix::Impl::solve(const Eigen::VectorXd& right, Eigen::VectorXd& so
   return solution.allFinite();
 }
 
-Eigen::Matrix4d NormalMatrix::Impl::inverseForm(const SparseColumns& columns) const {
+/// The supernodes on the paths from the non-zeros to the root, in elimination order.
+std::vector<int> NormalMatrix::Impl::pathsOf(const std::vector<const SparseColumns*>& forms) const {
+  const auto* first_columns = static_cast<const int*>(factor_->super);
+  const auto* row_starts = static_cast<const int*>(factor_->pi);
+  const auto* row_numbers = static_cast<const int*>(factor_->s);
+  std::vector<int> path;
+  on_path_.resize(factor_->nsuper, false);
+  for (const SparseColumns* form : forms) {
+    for (const std::size_t row : form->rows) {
+      int supernode = supernodeOf(static_cast<std::size_t>(inverse_permutation_[row]));
+      while (supernode >= 0 && !on_path_[static_cast<std::size_t>(supernode)]) {
+        on_path_[static_cast<std::size_t>(supernode)] = true;
+        path.push_back(supernode);
+        const int own = first_columns[supernode + 1] - first_columns[supernode];
+        const int all = row_starts[supernode + 1] - row_starts[supernode];
+        supernode = all > own ? supernodeOf(static_cast<std::size_t>(row_numbers[row_starts[supernode] + own])) : -1;
+      }
+    }
+  }
+  for (const int supernode : path) on_path_[static_cast<std::size_t>(supernode)] = false;
+  std::sort(path.begin(), path.end());
+  return path;
+}
+
+/// Forward substitution for up to kFormColumns columns at once, side by side in `path_rows_`.
+void NormalMatrix::Impl::formsOfBatch(const std::vector<const SparseColumns*>& batch,
+                                      std::vector<Eigen::Matrix4d*>& grams) const {
   const auto* first_columns = static_cast<const int*>(factor_->super);
   const auto* row_starts = static_cast<const int*>(factor_->pi);
   const auto* value_starts = static_cast<const int*>(factor_->px);
   const auto* row_numbers = static_cast<const int*>(factor_->s);
   const auto* values = static_cast<const double*>(factor_->x);
-
-  // The supernodes on the paths from the non-zeros to the root, in elimination order.
-  std::vector<int> path;
-  for (const std::size_t row : columns.rows) {
-    int supernode = supernodeOf(static_cast<std::size_t>(inverse_permutation_[row]));
-    while (supernode >= 0 && std::find(path.begin(), path.end(), supernode) == path.end()) {
-      path.push_back(supernode);
-      const int own = first_columns[supernode + 1] - first_columns[supernode];
-      const int all = row_starts[supernode + 1] - row_starts[supernode];
-      supernode = all > own ? supernodeOf(static_cast<std::size_t>(row_numbers[row_starts[supernode] + own])) : -1;
-    }
-  }
-  std::sort(path.begin(), path.end());
-
   // All zero between calls: only rows of the path are ever written, and they are cleared again below.
-  Rows4& work = path_rows_;
-  if (work.rows() != static_cast<Eigen::Index>(factor_->n))
-    work = Rows4::Zero(static_cast<Eigen::Index>(factor_->n), 4);
-  for (std::size_t k = 0; k < columns.rows.size(); ++k) {
-    work.row(inverse_permutation_[columns.rows[k]]) += columns.values[k].transpose();
+  FormRows& work = path_rows_;
+  if (work.rows() != static_cast<Eigen::Index>(factor_->n)) {
+    work = FormRows::Zero(static_cast<Eigen::Index>(factor_->n), kFormColumns);
   }
-  Eigen::Matrix4d gram = Eigen::Matrix4d::Zero();
-  Rows4 below;
-  for (const int supernode : path) {
+  Eigen::Index column = 0;
+  for (const SparseColumns* form : batch) {
+    for (std::size_t k = 0; k < form->rows.size(); ++k) {
+      work.row(inverse_permutation_[form->rows[k]]).segment(column, form->count) +=
+          form->values[k].head(form->count).transpose();
+    }
+    column += form->count;
+  }
+  FormRows below;
+  for (const int supernode : pathsOf(batch)) {
     const int first = first_columns[supernode];
     const int own = first_columns[supernode + 1] - first;
     const int all = row_starts[supernode + 1] - row_starts[supernode];
     const Eigen::Map<const Eigen::MatrixXd> block(values + value_starts[supernode], all, own);
     auto mine = work.middleRows(first, own);
     block.topRows(own).triangularView<Eigen::Lower>().solveInPlace(mine);
-    gram.noalias() += mine.transpose() * mine;
+    Eigen::Index begin = 0;
+    for (std::size_t k = 0; k < batch.size(); ++k) {
+      const Eigen::Index count = batch[k]->count;
+      const auto part = mine.middleCols(begin, count);
+      grams[k]->topLeftCorner(count, count).noalias() += part.transpose().lazyProduct(part);
+      begin += count;
+    }
     below.noalias() = block.bottomRows(all - own) * mine;
     mine.setZero();
     const int* rows = row_numbers + row_starts[supernode] + own;
     for (int k = 0; k < all - own; ++k) work.row(rows[k]) -= below.row(k);
   }
-  return gram;
+}
+
+std::vector<Eigen::Matrix4d> NormalMatrix::Impl::inverseForms(const std::vector<SparseColumns>& forms) const {
+  std::vector<Eigen::Matrix4d> grams(forms.size(), Eigen::Matrix4d::Zero());
+  // Neighbours in the elimination order share most of their paths.
+  std::vector<std::pair<int, std::size_t>> order;
+  for (std::size_t k = 0; k < forms.size(); ++k) {
+    int first = 0;
+    for (const std::size_t row : forms[k].rows) first = std::max(first, inverse_permutation_[row]);
+    order.emplace_back(first, k);
+  }
+  std::sort(order.begin(), order.end());
+  std::vector<const SparseColumns*> batch;
+  std::vector<Eigen::Matrix4d*> batch_grams;
+  int columns = 0;
+  const auto flush = [&] {
+    if (!batch.empty()) formsOfBatch(batch, batch_grams);
+    batch.clear();
+    batch_grams.clear();
+    columns = 0;
+  };
+  for (const auto& [first, k] : order) {
+    if (columns + forms[k].count > kFormColumns) flush();
+    batch.push_back(&forms[k]);
+    batch_grams.push_back(&grams[k]);
+    columns += forms[k].count;
+  }
+  flush();
+  return grams;
 }
 
 NormalMatrix::NormalMatrix() : impl_(std::make_unique<Impl>()) {}
@@ -355,8 +410,8 @@ bool NormalMatrix::hasFactorFor(const Objective& objective) const {
 bool NormalMatrix::solve(const Eigen::VectorXd& right, Eigen::VectorXd& solution) {
   return impl_->solve(right, solution);
 }
-Eigen::Matrix4d NormalMatrix::inverseForm(const SparseColumns& columns) const {
-  return impl_->inverseForm(columns);
+std::vector<Eigen::Matrix4d> NormalMatrix::inverseForms(const std::vector<SparseColumns>& forms) const {
+  return impl_->inverseForms(forms);
 }
 
 }  // namespace cad2slam

@@ -36,14 +36,15 @@ class NormalMatrix {
   /// Solves with the last factor.
   [[nodiscard]] bool solve(const Eigen::VectorXd& right, Eigen::VectorXd& solution);
 
-  /// Rows of a thin matrix J_p with few non-zeros: (row, value) of each column.
+  /// A thin matrix b with few non-zeros, as (row, values of its columns): one of two columns leaves the others zero.
   struct SparseColumns {
     std::vector<std::size_t> rows;
-    std::vector<Eigen::Vector4d> values;  ///< up to four right-hand sides at once; unused ones are zero
+    std::vector<Eigen::Vector4d> values;
+    int count = 4;  ///< of columns: 2 or 4
   };
-  /// Gram matrix of L^-1 P b over the four columns of b, which is b^T (J^T W J)^-1 b. Touches only the path of the
-  /// elimination tree above the non-zeros, so it costs far less than a solve.
-  [[nodiscard]] Eigen::Matrix4d inverseForm(const SparseColumns& columns) const;
+  /// b^T (J^T W J)^-1 b of each, as the Gram matrices of L^-1 P b. Touches only the paths of the elimination tree above
+  /// the non-zeros, of neighbours together, so it costs far less than as many solves.
+  [[nodiscard]] std::vector<Eigen::Matrix4d> inverseForms(const std::vector<SparseColumns>& forms) const;
 
  private:
   class Impl;

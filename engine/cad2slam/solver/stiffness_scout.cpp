@@ -75,7 +75,9 @@ Residuals plateResiduals(const Mesh& mesh, const std::vector<PointPair>& pairs, 
 
 }  // namespace
 
-StiffnessScout::StiffnessScout(const Mesh& mesh) : coarse_(coarse(mesh)) {}
+StiffnessScout::StiffnessScout(const Mesh& mesh) : mesh_(coarse(mesh)) {
+  while (candidates_.size() < kMeshes.size()) candidates_.push_back({MeshSolver(mesh_), std::nullopt});
+}
 
 StiffnessChoice StiffnessScout::choose(const AnchorList& anchors, const SolverSettings& settings) {
   constexpr std::size_t kFewestAnchors = 5;
@@ -86,21 +88,22 @@ StiffnessChoice StiffnessScout::choose(const AnchorList& anchors, const SolverSe
   double best_score = std::numeric_limits<double>::infinity();
   Residuals best;
   for (std::size_t k = 0; k < kMeshes.size(); ++k) {
-    SolverSettings candidate = withStiffness(settings, kMeshes[k]);
-    candidate.gradient_tolerance = std::max(candidate.gradient_tolerance, kGoodEnoughToJudge);
+    SolverSettings to_judge = withStiffness(settings, kMeshes[k]);
+    to_judge.gradient_tolerance = std::max(to_judge.gradient_tolerance, kGoodEnoughToJudge);
     // Too short to be cancelled.
-    const Result<Solution> solution = coarse_.solve(anchors, candidate, last_[k] ? &*last_[k] : nullptr, {});
-    last_[k].reset();
+    auto& [solver, last] = candidates_[k];
+    Result<Solution> solution = solver.solve(anchors, to_judge, last ? &*last : nullptr, {});
+    last.reset();
     if (!solution) continue;
-    last_[k] = *solution;
     Residuals residuals = leaveOneOutOf(anchors, *solution);
+    last = std::move(*solution);
     const double score = scoreOf(residuals);
     if (score >= best_score) continue;
     choice.stiffness = kMeshes[k];
     best_score = score;
     best = std::move(residuals);
   }
-  const Residuals plate = plateResiduals(coarse_.mesh(), pairs, settings);
+  const Residuals plate = plateResiduals(*mesh_, pairs, settings);
   if (!best.empty() && !plate.empty()) choice.plate_share = plateShare(best, plate);
   return choice;
 }

@@ -5,6 +5,7 @@
 #include <array>
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "cad2slam/anchors/anchor.h"
 #include "cad2slam/mesh/mesh.h"
@@ -33,8 +34,14 @@ class StiffnessScout {
  private:
   static constexpr std::array kMeshes = {Stiffness::kBalanced, Stiffness::kSmooth, Stiffness::kLocal};
 
-  MeshSolver coarse_;
-  std::array<std::optional<Solution>, kMeshes.size()> last_;
+  /// Of one stiffness: its factor would only mislead the others.
+  struct Candidate {
+    MeshSolver solver;
+    std::optional<Solution> last;
+  };
+
+  std::shared_ptr<const Mesh> mesh_;
+  std::vector<Candidate> candidates_;  ///< one for each of kMeshes
 };
 
 }  // namespace cad2slam

@@ -163,7 +163,7 @@ void NormalMatrixTest::inverseFormIsThatOfADenseMatrix() {
       dense.row(static_cast<Eigen::Index>(columns.rows.back())) += columns.values.back().transpose();
     }
     const Eigen::Matrix4d expected = dense.transpose() * inverse * dense;
-    QVERIFY((normal.inverseForm(columns) - expected).norm() < 1e-8 * expected.norm());
+    QVERIFY((normal.inverseForms({columns}).front() - expected).norm() < 1e-8 * expected.norm());
   }
 }
 
