@@ -102,8 +102,7 @@ class MeshSolver::Impl {
  private:
   Result<Solution> solveMesh(const AnchorList& anchors, const SolverSettings& settings, const Similarity2& global_fit,
                              const Solution* warm_start, const IterationCallback& on_iteration);
-  [[nodiscard]] StiffnessChoice chooseStiffness(const AnchorList& anchors, const SolverSettings& settings);
-  void mixInPlate(const AnchorList& anchors, double share, Solution& solution);
+  void mixInPlate(const AnchorList& anchors, Solution& solution);
   [[nodiscard]] MinimiserReport minimiseFrom(Eigen::VectorXd& x, const MinimiserOptions& options,
                                              const IterationCallback& on_iteration);
   void store(const Eigen::VectorXd& x, Solution& solution) const;
@@ -138,10 +137,13 @@ Result<Solution> MeshSolver::Impl::solve(const AnchorList& anchors, const Solver
   if (!global_fit) return failAs(global_fit);
   const int places = distinctPlaces(anchors);
   if (places >= 3) {
-    const StiffnessChoice choice = chooseStiffness(anchors, settings);
-    Result<Solution> solution =
-        solveMesh(anchors, withStiffness(settings, choice.stiffness), *global_fit, warm_start, on_iteration);
-    if (solution && choice.plate_share > 0.0) mixInPlate(anchors, choice.plate_share, *solution);
+    if (settings.model != Model::kStretch || settings.stiffness != Stiffness::kAutomatic) {
+      return solveMesh(anchors, withStiffness(settings, settings.stiffness), *global_fit, warm_start, on_iteration);
+    }
+    if (!scout_) scout_ = std::make_unique<StiffnessScout>(*mesh_);
+    const SolverSettings chosen = withStiffness(settings, scout_->choose(anchors, settings));
+    Result<Solution> solution = solveMesh(anchors, chosen, *global_fit, warm_start, on_iteration);
+    if (solution) mixInPlate(anchors, *solution);
     return solution;
   }
 
@@ -160,13 +162,6 @@ Result<Solution> MeshSolver::Impl::solve(const AnchorList& anchors, const Solver
   }
   solution.warnings.emplace_back(places == 1 ? kOnePlaceWarning : kTwoPlacesWarning);
   return solution;
-}
-
-StiffnessChoice MeshSolver::Impl::chooseStiffness(const AnchorList& anchors, const SolverSettings& settings) {
-  if (settings.model != Model::kStretch || settings.stiffness != Stiffness::kAutomatic)
-    return {settings.stiffness, 0.0};
-  if (!scout_) scout_ = std::make_unique<StiffnessScout>(*mesh_);
-  return scout_->choose(anchors, settings);
 }
 
 MinimiserReport MeshSolver::Impl::minimiseFrom(Eigen::VectorXd& x, const MinimiserOptions& options,
@@ -230,12 +225,14 @@ Result<Solution> MeshSolver::Impl::solveMesh(const AnchorList& anchors, const So
   return solution;
 }
 
-/// Moves every node part of the way to a thin plate; does nothing where the plate folds. What is left of the plate's
-/// shear between nodes cancels in the projector's blend, which is exact for affine maps.
-void MeshSolver::Impl::mixInPlate(const AnchorList& anchors, double share, Solution& solution) {
+/// Moves every node that an anchor holds part of the way to a thin plate, unless that brings nothing or it folds. What
+/// is left of the plate's shear between nodes cancels in the projector's blend, which is exact for affine maps.
+void MeshSolver::Impl::mixInPlate(const AnchorList& anchors, Solution& solution) {
   Stopwatch stopwatch;
   Result<ThinPlateFit> plate = ThinPlateFit::create(enabledPairs(anchors), solution.settings.loss_width_m);
-  if (!plate || !mixIn(*plate, share, *mesh_, solution)) return;
+  if (!plate) return;
+  const double share = plateShare(anchors, solution, *plate);
+  if (share == 0.0 || !mixIn(*plate, share, *mesh_, objective_.active_nodes, solution)) return;
   std::size_t used = 0;
   for (std::size_t i = 0; i < anchors.size(); ++i) {
     AnchorFit& fit = solution.anchors[i];

@@ -14,22 +14,14 @@
 
 namespace cad2slam {
 
-/// What suits a map.
-struct StiffnessChoice {
-  Stiffness stiffness = Stiffness::kBalanced;
-  double plate_share = 0.0;
-};
-
 /// Finds the stiffness that suits a map: fits a coarse mesh with each and takes the one whose leave-one-out residuals
-/// are smallest. A thin plate errs in other ways than a mesh, so a mean of both is often better than either; its weight
-/// follows from the leave-one-out residuals too (`cad2slam-cli evaluate sites` measures what that brings).
-/// Keeps its fits, so that choosing again after an edit is cheap.
+/// are smallest. Keeps its fits, so that choosing again after an edit is cheap.
 class StiffnessScout {
  public:
   explicit StiffnessScout(const Mesh& mesh);
 
-  /// kBalanced without a plate below five anchors.
-  [[nodiscard]] StiffnessChoice choose(const AnchorList& anchors, const SolverSettings& settings);
+  /// One of kBalanced (always below five anchors), kSmooth, kLocal.
+  [[nodiscard]] Stiffness choose(const AnchorList& anchors, const SolverSettings& settings);
 
  private:
   static constexpr std::array kMeshes = {Stiffness::kBalanced, Stiffness::kSmooth, Stiffness::kLocal};
