@@ -20,9 +20,7 @@ std::optional<TileIndex> TileIndex::create(const TileLattice& lattice, const Til
   TileIndex index;
   index.lattice_ = lattice;
   for (std::size_t node = 0; node < count; ++node) {
-    std::uint32_t& entry = index.entry(tiles[node]);
-    if (entry != kNone) return std::nullopt;
-    entry = static_cast<std::uint32_t>(node);
+    if (!index.insert(tiles[node], static_cast<std::uint32_t>(node))) return std::nullopt;
   }
   return index;
 }
@@ -32,14 +30,26 @@ std::array<std::uint32_t, 9> TileIndex::neighbourhood(std::int32_t column, std::
   const std::int32_t inner_column = column & kMask;
   const std::int32_t inner_row = row & kMask;
   if (inner_column >= 1 && inner_column < kMask && inner_row >= 1 && inner_row < kMask) {
-    // All nine tiles share a block: one look-up in the table.
-    const std::uint32_t* block = findBlock(column >> kShift, row >> kShift);
-    if (block == nullptr) {
+    // All nine tiles share a block: one look-up in the table, and one count for each row of three.
+    const Slot* slot = findSlot(column >> kShift, row >> kShift);
+    if (slot == nullptr) {
       nodes.fill(kNone);
       return nodes;
     }
-    const std::uint32_t* lower_left = block + ((inner_row - 1) << kShift) + inner_column - 1;
-    for (std::size_t k = 0; k < 9; ++k) nodes[k] = lower_left[((k / 3) << kShift) + k % 3];
+    std::int32_t inner = ((inner_row - 1) << kShift) + inner_column - 1;
+    if (!nodes_of_blocks_.empty()) {
+      for (std::size_t k = 0; k < 9; ++k)
+        nodes[k] = nodeIn(*slot, inner + static_cast<std::int32_t>(k / 3 * 8 + k % 3));
+      return nodes;
+    }
+    for (std::size_t k = 0; k < 9; k += 3, inner += 1 << kShift) {
+      std::uint32_t next = slot->first_node + countBelow(slot->occupied, inner);
+      for (std::int32_t dx = 0; dx < 3; ++dx) {
+        const bool is_there = (slot->occupied >> (inner + dx) & 1U) != 0;
+        nodes[k + static_cast<std::size_t>(dx)] = is_there ? next : kNone;
+        next += is_there ? 1 : 0;
+      }
+    }
     return nodes;
   }
   std::size_t k = 0;
@@ -81,7 +91,7 @@ TileCoordinate TileIndex::nearestTile(const Eigen::Vector2d& cells) const {
       continue;
     }
     for (std::int32_t inner = 0; inner < static_cast<std::int32_t>(kBlockTiles); ++inner) {
-      if (blocks_[slot.block * kBlockTiles + static_cast<std::size_t>(inner)] == kNone) continue;
+      if ((slot.occupied >> inner & 1U) == 0) continue;
       consider({(slot.column << kShift) | (inner & kMask), (slot.row << kShift) | (inner >> kShift)});
     }
   }
@@ -89,16 +99,23 @@ TileCoordinate TileIndex::nearestTile(const Eigen::Vector2d& cells) const {
 }
 
 LargeVector<std::uint32_t> TileIndex::renumberInMemoryOrder() {
+  LargeVector<std::uint32_t> first_nodes(block_count_);
   LargeVector<std::uint32_t> old_numbers;
-  for (std::uint32_t& node : blocks_) {
-    if (node == kNone) continue;
-    old_numbers.push_back(node);
-    node = static_cast<std::uint32_t>(old_numbers.size() - 1);
+  for (std::size_t block = 0; block < block_count_; ++block) {
+    first_nodes[block] = static_cast<std::uint32_t>(old_numbers.size());
+    for (std::size_t inner = 0; inner < kBlockTiles; ++inner) {
+      const std::uint32_t node = nodes_of_blocks_[block * kBlockTiles + inner];
+      if (node != kNone) old_numbers.push_back(node);
+    }
   }
+  for (Slot& slot : slots_) {
+    if (slot.block != kNone) slot.first_node = first_nodes[slot.block];
+  }
+  nodes_of_blocks_ = {};
   return old_numbers;
 }
 
-std::uint32_t& TileIndex::entry(const TileCoordinate& tile) {
+bool TileIndex::insert(const TileCoordinate& tile, std::uint32_t node) {
   if ((block_count_ + 1) * 2 > slots_.size()) grow();
   const std::int32_t block_column = tile.column >> kShift;
   const std::int32_t block_row = tile.row >> kShift;
@@ -106,12 +123,16 @@ std::uint32_t& TileIndex::entry(const TileCoordinate& tile) {
   while (slots_[at].block != kNone && (slots_[at].column != block_column || slots_[at].row != block_row)) {
     at = (at + 1) & slot_mask_;
   }
-  if (slots_[at].block == kNone) {
-    slots_[at] = {block_column, block_row, static_cast<std::uint32_t>(block_count_++)};
-    blocks_.resize(block_count_ * kBlockTiles, kNone);
+  Slot& slot = slots_[at];
+  if (slot.block == kNone) {
+    slot = {block_column, block_row, static_cast<std::uint32_t>(block_count_++), 0, 0};
+    nodes_of_blocks_.resize(block_count_ * kBlockTiles, kNone);
   }
-  const auto inner = static_cast<std::size_t>(((tile.row & kMask) << kShift) | (tile.column & kMask));
-  return blocks_[slots_[at].block * kBlockTiles + inner];
+  const std::int32_t inner = ((tile.row & kMask) << kShift) | (tile.column & kMask);
+  if ((slot.occupied >> inner & 1U) != 0) return false;
+  slot.occupied |= std::uint64_t{1} << inner;
+  nodes_of_blocks_[slot.block * kBlockTiles + static_cast<std::size_t>(inner)] = node;
+  return true;
 }
 
 void TileIndex::grow() {
