@@ -8,10 +8,7 @@ namespace cad2slam {
 
 AnchorSelection::AnchorSelection(ProjectDocument& document, QObject* parent) : QObject(parent), document_(document) {
   connect(&document_, &ProjectDocument::changed, this, [this](const ChangeEvent& event) {
-    if (event.by_history && !event.added.empty()) return set(event.added);
-    std::vector<AnchorId> kept = ids_;
-    std::erase_if(kept, [&](AnchorId id) { return !document_.anchor(id); });
-    set(std::move(kept));
+    set(event.by_history && !event.added.empty() ? event.added : ids_);
   });
 }
 
@@ -20,6 +17,7 @@ std::optional<AnchorId> AnchorSelection::current() const {
 }
 
 void AnchorSelection::set(std::vector<AnchorId> ids) {
+  std::erase_if(ids, [this](AnchorId id) { return !document_.anchor(id); });
   if (ids == ids_) return;
   ids_ = std::move(ids);
   emit changed();

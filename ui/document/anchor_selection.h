@@ -24,7 +24,7 @@ class AnchorSelection : public QObject {
   [[nodiscard]] std::optional<AnchorId> current() const;
   [[nodiscard]] bool contains(AnchorId id) const { return std::find(ids_.begin(), ids_.end(), id) != ids_.end(); }
 
-  void set(std::vector<AnchorId> ids);
+  void set(std::vector<AnchorId> ids);  ///< those of them that the document has
   void toggle(AnchorId id);
   void clear() { set({}); }
 

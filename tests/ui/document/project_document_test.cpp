@@ -283,6 +283,18 @@ class ProjectDocumentTest : public QObject {
     QCOMPARE(selection.ids().size(), std::size_t(3));
   }
 
+  void onlyAnchorsThatExistAreSelected() {
+    addThree();
+    AnchorSelection selection(document_);
+    const AnchorId first = document_.anchors().front().id;
+    selection.set({first, 0, document_.nextId()});
+    QCOMPARE(selection.ids(), std::vector<AnchorId>{first});
+    selection.toggle(document_.nextId());
+    QCOMPARE(selection.ids(), std::vector<AnchorId>{first});
+    edit::deleteAnchors(document_, {first});
+    QVERIFY(selection.ids().empty());
+  }
+
   void hostileViewStateFallsBackToDefaults() {
     Project project = test::smallProject();
     for (const char* text : {"", "[]", "{\"next_anchor_id\":1e300,\"class_limits\":{\"ok_m\":-1},\"snapped\":[1]}",
