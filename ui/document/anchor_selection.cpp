@@ -7,9 +7,8 @@
 namespace cad2slam {
 
 AnchorSelection::AnchorSelection(ProjectDocument& document, QObject* parent) : QObject(parent), document_(document) {
-  connect(&document_, &ProjectDocument::changed, this, [this](const ChangeEvent& event) {
-    set(event.by_history && !event.added.empty() ? event.added : ids_);
-  });
+  connect(&document_, &ProjectDocument::changed, this,
+          [this](const ChangeEvent& event) { set(event.by_history && !event.added.empty() ? event.added : ids_); });
 }
 
 std::optional<AnchorId> AnchorSelection::current() const {
