@@ -15,7 +15,7 @@ namespace cad2slam {
 namespace {
 
 std::shared_ptr<const Mesh> coarse(const Mesh& mesh) {
-  constexpr double kNodes = 500.0;
+  constexpr double kNodes = 400.0;
   const int factor = static_cast<int>(std::ceil(std::sqrt(static_cast<double>(mesh.nodeCount()) / kNodes)));
   return std::make_shared<const Mesh>(coarsened(mesh, std::max(1, factor)));
 }
