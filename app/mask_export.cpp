@@ -122,23 +122,35 @@ Result<void> writeMask(const MaskOptions& options, const MapFrame& frame, const 
   return {};
 }
 
-Result<void> exportKeepout(const MaskOptions& options) {
+struct MaskInputs {
+  MapFrame frame;        ///< of the mask
+  FeatureList features;  ///< in the SLAM map
+};
+
+Result<MaskInputs> loadInputs(const MaskOptions& options) {
   const Result<Projector> projector = loadProjector(options.projector);
   if (!projector) return failAs(projector);
-  const Result<MapFrame> frame = maskFrame(options, projector->info().slam);
+  Result<MapFrame> frame = maskFrame(options, projector->info().slam);
   if (!frame) return failAs(frame);
-  const Result<FeatureList> features = warpedZones(options, *projector);
+  Result<FeatureList> features = warpedZones(options, *projector);
   if (!features) return failAs(features);
+  return MaskInputs{std::move(*frame), std::move(*features)};
+}
+
+Result<void> exportKeepout(const MaskOptions& options) {
+  const Result<MaskInputs> inputs = loadInputs(options);
+  if (!inputs) return failAs(inputs);
+  const auto& [frame, features] = *inputs;
   std::vector<MaskZone> zones;
-  for (const Feature& feature : *features) {
+  for (const Feature& feature : features) {
     if (feature.kind == FeatureKind::kPoint) continue;
     for (MaskZone& zone : maskZonesOf(feature, options)) zones.push_back(std::move(zone));
   }
   if (zones.empty())
     return fail(ErrorCode::kOutOfDomain, "there is no path and no polygon to keep out of", options.zones);
-  const Result<cv::Mat> mask = keepoutMask(*frame, zones, options.only_inside);
+  const Result<cv::Mat> mask = keepoutMask(frame, zones, options.only_inside);
   if (!mask) return failAs(mask);
-  return writeMask(options, *frame, *mask, MapMode::kTrinary);
+  return writeMask(options, frame, *mask, MapMode::kTrinary);
 }
 
 /// `speed_percent` of a feature; features without are no speed zones.
@@ -150,15 +162,12 @@ std::optional<double> speedOf(const Feature& feature) {
 }
 
 Result<void> exportSpeed(const MaskOptions& options) {
-  const Result<Projector> projector = loadProjector(options.projector);
-  if (!projector) return failAs(projector);
-  const Result<MapFrame> frame = maskFrame(options, projector->info().slam);
-  if (!frame) return failAs(frame);
-  const Result<FeatureList> features = warpedZones(options, *projector);
-  if (!features) return failAs(features);
+  const Result<MaskInputs> inputs = loadInputs(options);
+  if (!inputs) return failAs(inputs);
+  const auto& [frame, features] = *inputs;
   std::vector<SpeedZone> zones;
-  for (std::size_t k = 0; k < features->size(); ++k) {
-    const Feature& feature = (*features)[k];
+  for (std::size_t k = 0; k < features.size(); ++k) {
+    const Feature& feature = features[k];
     const std::optional<double> percent = speedOf(feature);
     if (!percent || feature.kind == FeatureKind::kPoint) continue;
     if (!(*percent >= 1.0 && *percent <= 100.0)) {
@@ -168,9 +177,9 @@ Result<void> exportSpeed(const MaskOptions& options) {
     for (MaskZone& zone : maskZonesOf(feature, options)) zones.push_back({std::move(zone), *percent});
   }
   if (zones.empty()) return fail(ErrorCode::kOutOfDomain, "no feature has the property speed_percent", options.zones);
-  const Result<cv::Mat> mask = speedMask(*frame, zones);
+  const Result<cv::Mat> mask = speedMask(frame, zones);
   if (!mask) return failAs(mask);
-  return writeMask(options, *frame, *mask, MapMode::kScale);
+  return writeMask(options, frame, *mask, MapMode::kScale);
 }
 
 CLI::App* addMask(CLI::App& parent, ActionSlot& chosen, const std::shared_ptr<MaskOptions>& options, const char* name,

@@ -11,7 +11,8 @@
 namespace cad2slam {
 
 /// Resampling of whole rasters through a projector: the projector is evaluated on a coarse grid of the output (refined
-/// until its interpolation error is below a quarter pixel) and the pixels follow with cv::remap.
+/// until its interpolation error is below a quarter pixel, beyond the mesh down to four pixels) and the pixels follow
+/// with cv::remap.
 enum class WarpDirection {
   kToSlam,       ///< a picture in the blueprint frame is drawn in the SLAM frame
   kToBlueprint,  ///< a picture in the SLAM frame is drawn in the blueprint frame
