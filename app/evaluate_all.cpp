@@ -94,6 +94,11 @@ class FullEvaluation {
     report_.addParagraph(fmt::format("Scale {:.4f}, rotation {:.2f} degrees, {} anchors. {} of {} cells are folded.",
                                      solution->global_fit.scale, wrapAngle(solution->global_fit.heading) * 180.0 / kPi,
                                      solution->anchors_used, projector_->foldedTileCount(), site_.mesh->nodeCount()));
+    if (solution->similarity_share > 0.0) {
+      report_.addParagraph(fmt::format(
+          "The anchors hardly tell a bend from the noise of clicks, so {:.0f} % of the answer is the similarity.",
+          100.0 * solution->similarity_share));
+    }
     for (const std::string& warning : solution->warnings) report_.addParagraph("Note: " + warning);
     std::vector<OverlayAnchor> anchors;
     for (const Anchor& anchor : site_.inputs.anchors) {
@@ -124,7 +129,25 @@ class FullEvaluation {
     report_.addHeading("Leave-one-out");
     report_.addParagraph("How far each anchor is missed when everything is solved again without it. Bold is best.");
     addTable(methodTable(result->methods));
+    report_.addParagraph(verdict(result->methods));
     return {};
+  }
+
+  /// Whether the mesh is worth its trouble here, in words.
+  static std::string verdict(const std::vector<MethodErrors>& methods) {
+    constexpr double kWorthIt = 1.1;
+    std::map<AlignmentMethod, double> means;
+    for (const MethodErrors& method : methods) means[method.method] = method.statistics.mean;
+    const double similarity = means[AlignmentMethod::kSimilarity];
+    const double stretch = means[AlignmentMethod::kStretch];
+    if (similarity > kWorthIt * stretch) {
+      return fmt::format("The mesh pays off: a plain similarity would miss by {:.2f} m instead of {:.2f} m.",
+                         similarity, stretch);
+    }
+    return fmt::format(
+        "Nothing non-rigid helps here: a plain similarity is as good ({:.2f} m against {:.2f} m). Either this map is "
+        "hardly bent, or there are too few anchors to tell how.",
+        similarity, stretch);
   }
 
   Result<void> curve() {

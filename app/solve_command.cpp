@@ -46,9 +46,9 @@ struct SolveOptions {
 };
 
 const std::map<std::string, Stiffness> kStiffnesses{{"auto", Stiffness::kAutomatic},
-                                                    {"balanced", Stiffness::kBalanced},
                                                     {"smooth", Stiffness::kSmooth},
-                                                    {"local", Stiffness::kLocal}};
+                                                    {"local", Stiffness::kLocal},
+                                                    {"loose", Stiffness::kLoose}};
 
 std::string nameOf(Stiffness stiffness) {
   for (const auto& [name, value] : kStiffnesses) {
@@ -59,6 +59,7 @@ std::string nameOf(Stiffness stiffness) {
 
 std::string nameOf(const Solution& solution) {
   std::string name = nameOf(solution.settings.stiffness);
+  if (solution.similarity_share > 0.0) name += fmt::format(", {:.0f} % similarity", 100.0 * solution.similarity_share);
   if (solution.plate_share > 0.0) name += fmt::format(", {:.0f} % thin plate", 100.0 * solution.plate_share);
   return name;
 }
@@ -133,6 +134,7 @@ nlohmann::ordered_json toJson(const SolvedJob& job, const ProjectorData& project
           {"model", projector.info.model},
           {"stiffness", nameOf(solution.settings.stiffness)},
           {"plate_share", solution.plate_share},
+          {"similarity_share", solution.similarity_share},
           {"scale", solution.global_fit.scale},
           {"rotation_rad", wrapAngle(solution.global_fit.heading)},
           {"cost", solution.cost},
@@ -236,7 +238,8 @@ void addSolveCommand(CLI::App& app, ActionSlot& chosen) {
       ->check(CLI::IsMember({"stretch", "rigid"}));
   command
       ->add_option("--stiffness", options->stiffness,
-                   "Of the stretch model: auto (default), balanced, smooth (halls that bend) or local (long corridors)")
+                   "Of the stretch model: auto (default), local (each corridor for itself), smooth (halls that bend) "
+                   "or loose (noisy clicks)")
       ->transform(CLI::CheckedTransformer(kStiffnesses));
   command->add_option(
       "--scale", options->scale,

@@ -35,9 +35,9 @@ struct Word {
 constexpr std::array<Word<Model>, 2> kModels{{{"stretch", Model::kStretch}, {"rigid", Model::kRigid}}};
 constexpr std::array<Word<Stiffness>, 5> kStiffnesses{{{"given", Stiffness::kGiven},
                                                        {"auto", Stiffness::kAutomatic},
-                                                       {"balanced", Stiffness::kBalanced},
                                                        {"smooth", Stiffness::kSmooth},
-                                                       {"local", Stiffness::kLocal}}};
+                                                       {"local", Stiffness::kLocal},
+                                                       {"loose", Stiffness::kLoose}}};
 constexpr std::array<Word<ScaleRule>, 3> kScaleRules{
     {{"to_scale", ScaleRule::kToScale}, {"least_squares", ScaleRule::kLeastSquares}, {"fixed", ScaleRule::kFixed}}};
 constexpr std::array<Word<MapMode>, 3> kModes{

@@ -42,7 +42,8 @@ EdgeTerm makeEdgeTerm(const Mesh& mesh, const MeshEdge& edge, const std::vector<
 }  // namespace
 
 SolverSettings withAutomaticWeights(const SolverSettings& settings, const Mesh& mesh, double scale) {
-  const double theta_length_m = settings.stiffness == Stiffness::kSmooth ? 0.5 : 1.5;
+  const double theta_length_m =
+      settings.stiffness == Stiffness::kSmooth || settings.stiffness == Stiffness::kLoose ? 0.6 : 1.5;
   SolverSettings filled = settings;
   if (!filled.lambda_theta) filled.lambda_theta = theta_length_m * scale * mesh.diagonal();
   return filled;

@@ -17,10 +17,10 @@
 #include "cad2slam/solver/ceres_backend.h"
 #include "cad2slam/solver/global_fit.h"
 #include "cad2slam/solver/minimiser.h"
+#include "cad2slam/solver/mixing.h"
 #include "cad2slam/solver/normal_matrix.h"
 #include "cad2slam/solver/objective.h"
 #include "cad2slam/solver/one_thread.h"
-#include "cad2slam/solver/plate_mixing.h"
 #include "cad2slam/solver/stiffness_scout.h"
 #include "cad2slam/solver/thin_plate_fit.h"
 
@@ -103,6 +103,9 @@ class MeshSolver::Impl {
   Result<Solution> solveMesh(const AnchorList& anchors, const SolverSettings& settings, const Similarity2& global_fit,
                              const Solution* warm_start, const IterationCallback& on_iteration);
   void mixInPlate(const AnchorList& anchors, Solution& solution);
+  void mixInGlobalFit(const AnchorList& anchors, Solution& solution) const;
+  void updateFits(const AnchorList& anchors, double share, const std::vector<Vector2d>& leave_one_out,
+                  Solution& solution) const;
   [[nodiscard]] MinimiserReport minimiseFrom(Eigen::VectorXd& x, const MinimiserOptions& options,
                                              const IterationCallback& on_iteration);
   void store(const Eigen::VectorXd& x, Solution& solution) const;
@@ -143,7 +146,11 @@ Result<Solution> MeshSolver::Impl::solve(const AnchorList& anchors, const Solver
     if (!scout_) scout_ = std::make_unique<StiffnessScout>(*mesh_);
     const SolverSettings chosen = withStiffness(settings, scout_->choose(anchors, settings));
     Result<Solution> solution = solveMesh(anchors, chosen, *global_fit, warm_start, on_iteration);
-    if (solution) mixInPlate(anchors, *solution);
+    if (!solution) return solution;
+    Stopwatch stopwatch;
+    mixInPlate(anchors, *solution);
+    mixInGlobalFit(anchors, *solution);
+    solution->seconds.diagnosis += stopwatch.lap();
     return solution;
   }
 
@@ -228,30 +235,46 @@ Result<Solution> MeshSolver::Impl::solveMesh(const AnchorList& anchors, const So
 /// Moves every node that an anchor holds part of the way to a thin plate, unless that brings nothing or it folds. What
 /// is left of the plate's shear between nodes cancels in the projector's blend, which is exact for affine maps.
 void MeshSolver::Impl::mixInPlate(const AnchorList& anchors, Solution& solution) {
-  Stopwatch stopwatch;
   Result<ThinPlateFit> plate = ThinPlateFit::create(enabledPairs(anchors), solution.settings.loss_width_m);
   if (!plate) return;
   const double share = plateShare(anchors, solution, *plate);
   if (share == 0.0 || !mixIn(*plate, share, *mesh_, objective_.active_nodes, solution)) return;
+  updateFits(anchors, share, plate->leaveOneOut(), solution);
+  std::size_t used = 0;
+  for (AnchorFit& fit : solution.anchors) {
+    if (fit.used) fit.loss_weight = (1.0 - share) * fit.loss_weight + share * plate->weights()[used++];
+  }
+  plate_ = std::move(*plate);
+  plate_share_ = share;
+}
+
+/// sigma stays that of the mesh: the global fit only takes part where it is about as good.
+void MeshSolver::Impl::mixInGlobalFit(const AnchorList& anchors, Solution& solution) const {
+  if (solution.anchors_used > ThinPlateFit::kMostPairs) return;
+  const std::vector<Vector2d> leave_one_out = similarityLeaveOneOut(anchors, solution.settings.scale);
+  const double share = similarityShare(solution, leave_one_out);
+  if (share == 0.0) return;
+  mixInSimilarity(share, *mesh_, objective_.active_nodes, solution);
+  updateFits(anchors, share, leave_one_out, solution);
+}
+
+/// After `share` of a shape with these leave-one-out residuals of the enabled anchors was mixed in.
+void MeshSolver::Impl::updateFits(const AnchorList& anchors, double share, const std::vector<Vector2d>& leave_one_out,
+                                  Solution& solution) const {
   std::size_t used = 0;
   for (std::size_t i = 0; i < anchors.size(); ++i) {
     AnchorFit& fit = solution.anchors[i];
     fit.predicted = blended(*mesh_, solution, anchors[i].in_blueprint);
     fit.residual_m = (fit.predicted - anchors[i].in_slam).norm();
-    if (!anchors[i].enabled) {
+    if (anchors[i].enabled) {
+      const Vector2d shape_without = anchors[i].in_slam + leave_one_out[used++];
+      fit.predicted_without += share * (shape_without - fit.predicted_without);
+      fit.leave_one_out_m = (fit.predicted_without - anchors[i].in_slam).norm();
+    } else {
       fit.predicted_without = fit.predicted;
       fit.leave_one_out_m = fit.residual_m;
-      continue;
     }
-    const Vector2d plate_without = anchors[i].in_slam + plate->leaveOneOut()[used];
-    fit.predicted_without += share * (plate_without - fit.predicted_without);
-    fit.leave_one_out_m = (fit.predicted_without - anchors[i].in_slam).norm();
-    fit.loss_weight = (1.0 - share) * fit.loss_weight + share * plate->weights()[used];
-    ++used;
   }
-  plate_ = std::move(*plate);
-  plate_share_ = share;
-  solution.seconds.diagnosis += stopwatch.lap();
 }
 
 void MeshSolver::Impl::store(const Eigen::VectorXd& x, Solution& solution) const {

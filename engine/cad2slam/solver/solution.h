@@ -39,7 +39,8 @@ struct Solution {
   Similarity2 global_fit;        ///< slam_from_blueprint of the start; its scale is the scale of the rest lengths
   std::vector<Pose2> node_slam;  ///< slam_from_node
   std::vector<Eigen::Vector2d> node_stretch;  ///< log-stretch along the node's x and y; zero in the rigid model
-  double plate_share = 0.0;        ///< part of a thin plate in every node; what is left is the minimum of the objective
+  double plate_share = 0.0;                   ///< part of a thin plate that was mixed into the minimum of the objective
+  double similarity_share = 0.0;   ///< part of the global fit that was then mixed in: near 1 where nothing bends
   std::vector<AnchorFit> anchors;  ///< one for each given anchor, in the given order
   std::size_t anchors_used = 0;
   double cost = 0.0;               ///< half the sum of squares, as Ceres counts

@@ -23,20 +23,21 @@ SolverSettings withStiffness(SolverSettings settings, Stiffness stiffness) {
     case Stiffness::kGiven:
     case Stiffness::kAutomatic:
       return settings;
-    case Stiffness::kBalanced:
-      settings.lambda_x = 1.0;
-      settings.lambda_y = 10.0;
-      settings.lambda_stretch = 10.0;
-      break;
     case Stiffness::kSmooth:
-      settings.lambda_x = 300.0;
-      settings.lambda_y = 3.0;
-      settings.lambda_stretch = 100.0;
+      settings.lambda_x = 130.0;
+      settings.lambda_y = 3.6;
+      settings.lambda_stretch = 50.0;
       break;
     case Stiffness::kLocal:
       settings.lambda_x = 1.0;
       settings.lambda_y = 10.0;
       settings.lambda_stretch = 1.0;
+      break;
+    case Stiffness::kLoose:
+      settings.lambda_x = 300.0;
+      settings.lambda_y = 3.0;
+      settings.lambda_stretch = 100.0;
+      settings.anchor_information = 10.0;
       break;
   }
   settings.stiffness = stiffness;

@@ -28,10 +28,10 @@ struct ScaleSettings {
 /// on a coarse mesh and takes the one whose leave-one-out residuals are smallest.
 enum class Stiffness {
   kGiven,      ///< lambda_x, lambda_y and lambda_stretch as they stand in the settings
-  kAutomatic,  ///< the best of the following; kBalanced below five anchors
-  kBalanced,
-  kSmooth,  ///< bends and shears the building as a whole
-  kLocal,   ///< lets each corridor be as long as its anchors say
+  kAutomatic,  ///< the best of the following; kLocal below five anchors
+  kLocal,      ///< lets each corridor be as long as its anchors say; DESIGN.md section 3
+  kSmooth,     ///< bends and shears the building as a whole
+  kLoose,      ///< as kSmooth, but passes by its anchors: for clicks noisier than the map is bent
 };
 
 /// Weights of the objective in DESIGN.md section 3. The members' own values are the defaults of the stretch model.
@@ -39,12 +39,12 @@ struct SolverSettings {
   Model model = Model::kStretch;
   Stiffness stiffness = Stiffness::kAutomatic;  ///< of the stretch model
   ScaleSettings scale;
-  double lambda_x = 1.0;   ///< edge, along the edge
-  double lambda_y = 10.0;  ///< edge, across the edge
-  std::optional<double>
-      lambda_theta;  ///< [m^2] edge heading; empty: 1.5 m (kSmooth: 0.5 m) x diagonal of the mesh in SLAM metres
-  double lambda_stretch = 10.0;  ///< [m^2] smoothness of the stretch; stretch model only
-  double prior_strength = 3.0;   ///< mu_iso = mu_0 = prior_strength / n per square metre of tile; stretch model only
+  double lambda_x = 1.0;               ///< edge, along the edge
+  double lambda_y = 10.0;              ///< edge, across the edge
+  std::optional<double> lambda_theta;  ///< [m^2] edge heading; empty: 1.5 m (kSmooth, kLoose: 0.6 m) x diagonal of the
+                                       ///< mesh in SLAM metres
+  double lambda_stretch = 1.0;         ///< [m^2] smoothness of the stretch; stretch model only
+  double prior_strength = 3.0;  ///< mu_iso = mu_0 = prior_strength / n per square metre of tile; stretch model only
   double anchor_information = 100.0;         ///< k
   std::optional<double> loss_width_m = 1.0;  ///< width of the Cauchy loss on anchors; empty: squared loss
   int max_iterations = 100;

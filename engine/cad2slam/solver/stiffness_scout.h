@@ -15,16 +15,17 @@
 namespace cad2slam {
 
 /// Finds the stiffness that suits a map: fits a coarse mesh with each and takes the one whose leave-one-out residuals
-/// are smallest. Keeps its fits, so that choosing again after an edit is cheap.
+/// are smallest, kSmooth only where it is clearly better and kLoose only where these could be noise of clicks. Keeps
+/// its fits, so that choosing again after an edit is cheap.
 class StiffnessScout {
  public:
   explicit StiffnessScout(const Mesh& mesh);
 
-  /// One of kBalanced (always below five anchors), kSmooth, kLocal.
+  /// One of kLocal (always below five anchors), kSmooth, kLoose.
   [[nodiscard]] Stiffness choose(const AnchorList& anchors, const SolverSettings& settings);
 
  private:
-  static constexpr std::array kMeshes = {Stiffness::kBalanced, Stiffness::kSmooth, Stiffness::kLocal};
+  static constexpr std::array kMeshes = {Stiffness::kLocal, Stiffness::kSmooth, Stiffness::kLoose};
 
   /// Of one stiffness: its factor would only mislead the others.
   struct Candidate {

@@ -11,7 +11,7 @@
 #include <string>
 #include <utility>
 
-#include "cad2slam/solver/capped_mean.h"
+#include "cad2slam/solver/residual_scores.h"
 
 namespace cad2slam {
 namespace {

@@ -246,7 +246,7 @@ void MeshSolverTest::reportsProgressAndCanBeCancelled() {
   const auto mesh = corridor();
   const AnchorList anchors = testing::anchorsAt(*mesh, 20, 2, bend);
   // A given stiffness: choosing one would report several optimisations.
-  const SolverSettings settings = withStiffness(defaultSettings(Model::kStretch), Stiffness::kBalanced);
+  const SolverSettings settings = withStiffness(defaultSettings(Model::kStretch), Stiffness::kLocal);
   MeshSolver solver(mesh, backend);
   std::vector<IterationReport> reports;
   const Result<Solution> done = solver.solve(anchors, settings, nullptr, [&](const IterationReport& report) {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The CAD2SLAM authors
 // SPDX-License-Identifier: Apache-2.0
-#include "cad2slam/solver/plate_mixing.h"
+#include "cad2slam/solver/mixing.h"
 
 #include <Eigen/LU>
 
@@ -10,8 +10,9 @@
 #include <utility>
 #include <vector>
 
-#include "cad2slam/solver/capped_mean.h"
+#include "cad2slam/solver/global_fit.h"
 #include "cad2slam/solver/node_blend.h"
+#include "cad2slam/solver/residual_scores.h"
 
 namespace cad2slam {
 namespace {
@@ -26,7 +27,7 @@ using Residuals = std::vector<Vector2d>;
 double scoreOfMixture(const Residuals& mesh, const Residuals& plate, double share) {
   std::vector<double> lengths;
   for (std::size_t i = 0; i < mesh.size(); ++i) lengths.push_back(((1.0 - share) * mesh[i] + share * plate[i]).norm());
-  return cappedMean(std::move(lengths));
+  return cappedMean(lengths);
 }
 
 }  // namespace
@@ -39,10 +40,13 @@ double plateShare(const AnchorList& anchors, const Solution& solution, const Thi
   for (std::size_t i = 0; i < anchors.size(); ++i) {
     if (anchors[i].enabled) mesh.push_back(solution.anchors[i].predicted_without - anchors[i].in_slam);
   }
+  constexpr std::size_t kFewestAnchors = 20;
   constexpr int kSteps = 20;
+  constexpr int kMost = 14;
   constexpr double kNextToNothing = 1.05;
   constexpr double kAsGood = 1.2;
   constexpr double kTooBad = 1.3;
+  if (mesh.size() < kFewestAnchors) return 0.0;
   std::array<double, kSteps + 1> scores{};
   for (int k = 0; k <= kSteps; ++k)
     scores[k] = scoreOfMixture(mesh, plate.leaveOneOut(), static_cast<double>(k) / kSteps);
@@ -52,7 +56,7 @@ double plateShare(const AnchorList& anchors, const Solution& solution, const Thi
   const double faded = std::clamp((kTooBad - ratio) / (kTooBad - kAsGood), 0.0, 1.0) / (1.0 + ratio * ratio);
   int preferred = static_cast<int>(std::lround(kSteps * faded));
   while (preferred > 0 && scores[preferred] > kNextToNothing * scores.front()) --preferred;
-  return static_cast<double>(std::max(smallest, preferred)) / kSteps;
+  return static_cast<double>(std::min(kMost, std::max(smallest, preferred))) / kSteps;
 }
 
 bool mixIn(const ThinPlateFit& plate, double share, const Mesh& mesh, const std::vector<NodeIndex>& nodes,
@@ -74,6 +78,56 @@ bool mixIn(const ThinPlateFit& plate, double share, const Mesh& mesh, const std:
   solution.node_stretch = std::move(node_stretch);
   solution.plate_share = share;
   return true;
+}
+
+std::vector<Vector2d> similarityLeaveOneOut(const AnchorList& anchors, const ScaleSettings& scale) {
+  AnchorList others = anchors;
+  Residuals residuals;
+  for (std::size_t i = 0; i < anchors.size(); ++i) {
+    if (!anchors[i].enabled) continue;
+    others[i].enabled = false;
+    const Result<Similarity2> fit = fitGlobally(others, scale);
+    others[i].enabled = true;
+    if (!fit) return {};
+    residuals.emplace_back(*fit * anchors[i].in_blueprint - anchors[i].in_slam);
+  }
+  return residuals;
+}
+
+double similarityShare(const Solution& solution, const Residuals& leave_one_out) {
+  constexpr std::size_t kFewestAnchors = 4;
+  constexpr double kSmallest = 0.05;
+  if (leave_one_out.size() < kFewestAnchors) return 0.0;
+  std::vector<double> mesh;
+  for (const AnchorFit& fit : solution.anchors) {
+    if (fit.used) mesh.push_back(fit.leave_one_out_m);
+  }
+  // Wrong anchors are those that the mesh misses. A similarity that fits one wing of a bent building well misses the
+  // others; that must count.
+  const double cap = residualCap(mesh);
+  double mesh_sum = 0.0;
+  double similarity_sum = 0.0;
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < mesh.size(); ++i) {
+    if (mesh[i] > cap) continue;
+    mesh_sum += mesh[i];
+    similarity_sum += leave_one_out[i].norm();
+    ++count;
+  }
+  if (!(similarity_sum < kNoise_m * static_cast<double>(count)) || !(mesh_sum > 0.0)) return 0.0;
+  const double share = 1.0 / (1.0 + std::pow(similarity_sum / mesh_sum, 8.0));
+  return share < kSmallest ? 0.0 : share;
+}
+
+void mixInSimilarity(double share, const Mesh& mesh, const std::vector<NodeIndex>& nodes, Solution& solution) {
+  for (const NodeIndex node : nodes) {
+    const Pose2 fitted = solution.global_fit * Pose2{mesh.centers()[node], 0.0};
+    Pose2& pose = solution.node_slam[node];
+    pose.translation += share * (fitted.translation - pose.translation);
+    pose.heading = wrapAngle(pose.heading + share * wrapAngle(fitted.heading - pose.heading));
+    solution.node_stretch[node] *= 1.0 - share;
+  }
+  solution.similarity_share = share;
 }
 
 Vector2d blended(const Mesh& mesh, const Solution& solution, const Vector2d& point_in_blueprint) {
