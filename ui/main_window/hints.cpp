@@ -53,6 +53,9 @@ ChipState chipOf(Session& session) {
     case AlignmentStatus::kSolving:
       return {Text::tr("solving..."), ChipLook::kBusy, Text::tr("Click to stop (Ctrl+.)")};
     case AlignmentStatus::kUpToDate: {
+      if (alignment.areOthersBusy())
+        return {Text::tr("solving the others..."), ChipLook::kBusy,
+                Text::tr("The other SLAM maps are solved for the preview; click to stop (Ctrl+.)")};
       const SolveResult& result = *alignment.result();
       return {Text::tr("up to date, %1 s").arg(numberText(result.seconds, 2)), ChipLook::kGood,
               Text::tr("%1 nodes, %2 iterations").arg(result.mesh->nodeCount()).arg(result.solution.iterations)};

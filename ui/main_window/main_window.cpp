@@ -219,7 +219,8 @@ void MainWindow::connectViewActions() {
   on(kSolveAgain, [this] { session_.alignment().solveNow(); });
   on(kCancelSolve, [this] { session_.alignment().cancel(); });
   connect(status_->chip(), &QToolButton::clicked, this, [this] {
-    const bool busy = session_.alignment().status() == AlignmentStatus::kSolving;
+    const Alignment& alignment = session_.alignment();
+    const bool busy = alignment.status() == AlignmentStatus::kSolving || alignment.areOthersBusy();
     busy ? session_.alignment().cancel() : session_.alignment().solveNow();
   });
 
@@ -271,6 +272,7 @@ void MainWindow::connectSession() {
     refreshTable();
     refreshStatus();
   });
+  connect(&session_.alignment(), &Alignment::othersChanged, this, &MainWindow::refreshStatus);
   connect(&session_.alignment(), &Alignment::statusChanged, this, [this] {
     refreshTable();
     refreshStatus();
@@ -340,7 +342,8 @@ void MainWindow::refreshStatus() {
   const ChipState chip = chipOf(session_);
   status_->setChip(chip.text, chip.look);
   status_->chip()->setToolTip(chip.tooltip);
-  (*actions_)[kCancelSolve]->setEnabled(session_.alignment().status() == AlignmentStatus::kSolving);
+  (*actions_)[kCancelSolve]->setEnabled(session_.alignment().status() == AlignmentStatus::kSolving ||
+                                         session_.alignment().areOthersBusy());
   for (const ActionId id : {kLink, kOtherFollows, kFollowOther})
     (*actions_)[id]->setEnabled(session_.alignment().result() != nullptr);
 }

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The CAD2SLAM authors
 // SPDX-License-Identifier: Apache-2.0
+#include "ui/document/project_commands.h"
 #include "ui/main_window/appearance.h"
 #include "ui/panels/preview_panel.h"
 #include "ui/panels/status_strip.h"
@@ -49,6 +50,64 @@ class LookingTest : public QObject {
       QTRY_VERIFY2_WITH_TIMEOUT(colorsIn(office.window.preview().view().grab().toImage()) > 8,
                                 qPrintable(QStringLiteral("mode %1").arg(mode)), test::kPatience);
     }
+  }
+
+  void scenario15_allSlamMapsOfAProjectWithoutChoosingThem() {
+    OfficeWindow office(false);
+    QVERIFY(office.window.files().openProject(OfficeWindow::sample("office.c2sproj")));
+    QVERIFY(office.waitUntilReady());
+    QVERIFY(office.waitUntilSolved());
+    Alignment& alignment = office.session().alignment();
+    const auto& maps = office.document().project().slam_maps;
+    QCOMPARE(maps.size(), std::size_t(2));
+    const std::string other = maps[1].name;
+    QVERIFY(!alignment.results().contains(other));  // nobody looks at it yet
+    office.window.preview().setMode(PreviewMode::kAllMaps);
+    QTRY_VERIFY_WITH_TIMEOUT(alignment.otherStatus(other) == AlignmentStatus::kUpToDate, test::kPatience);
+    const SolveResultPtr result = alignment.results().at(other);
+    QCOMPARE(result->solution.anchors_used, maps[1].anchors.size());
+    // An edit of the current map leaves it, a new setting does not.
+    edit::moveAnchor(office.document(), office.document().anchors()[0].id, Side::kSlam,
+                     office.document().anchors()[0].in_slam + Eigen::Vector2d(0.1, 0.0),
+                     office.document().newGesture());
+    QVERIFY(office.waitUntilSolved());
+    QCOMPARE(alignment.results().at(other), result);
+    const Project& project = office.document().project();
+    edit::changeSettings(office.document(),
+                         {defaultSettings(Model::kRigid), project.cell_size_m, office.document().state().limits});
+    QTRY_VERIFY_WITH_TIMEOUT(alignment.otherStatus(other) == AlignmentStatus::kUpToDate, test::kPatience);
+    QVERIFY(alignment.results().at(other) != result);
+    // Its ink is in the picture.
+    const auto has_ink = [&](QRgb ink) {
+      const QImage image = office.window.preview().view().picture().image;
+      for (int y = 0; y < image.height(); ++y)
+        for (int x = 0; x < image.width(); ++x)
+          if (image.pixel(x, y) == ink) return true;
+      return false;
+    };
+    QTRY_VERIFY_WITH_TIMEOUT(has_ink(qRgb(0x00, 0x9a, 0x44)), test::kPatience);
+    // Another mode no longer wants it.
+    office.window.preview().setMode(PreviewMode::kOverlay);
+    QVERIFY(alignment.otherStatus(other) == AlignmentStatus::kNotReady);
+  }
+
+  void scenario15_solvingTheOthersCanBeStopped() {
+    OfficeWindow office(false);
+    QVERIFY(office.window.files().openProject(OfficeWindow::sample("office.c2sproj")));
+    QVERIFY(office.waitUntilReady());
+    QVERIFY(office.waitUntilSolved());
+    Alignment& alignment = office.session().alignment();
+    const std::string other = office.document().project().slam_maps[1].name;
+    office.window.preview().setMode(PreviewMode::kAllMaps);
+    QVERIFY(alignment.areOthersBusy());
+    QVERIFY(office.window.actionTable()[ActionId::kCancelSolve]->isEnabled());
+    office.window.actionTable()[ActionId::kCancelSolve]->trigger();
+    QVERIFY(alignment.otherStatus(other) == AlignmentStatus::kCancelled);
+    QVERIFY(alignment.status() == AlignmentStatus::kUpToDate);
+    QTest::qWait(300);
+    QVERIFY(!alignment.results().contains(other));
+    office.window.actionTable()[ActionId::kSolveAgain]->trigger();
+    QTRY_VERIFY_WITH_TIMEOUT(alignment.otherStatus(other) == AlignmentStatus::kUpToDate, test::kPatience);
   }
 
   void scenario16_linkedViewsShowTheSamePlace() {
