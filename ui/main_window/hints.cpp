@@ -29,9 +29,10 @@ QString hintOf(Session& session) {
     if (session.flow().prediction())
       return in_blueprint
                  ? Text::tr(
-                       "Click the same place in the SLAM map, or press Enter to take the dashed ring (Esc cancels)")
+                       "Click the same place in the SLAM map, or press Enter to take the predicted place (Esc cancels)")
                  : Text::tr(
-                       "Click the same place in the blueprint, or press Enter to take the dashed ring (Esc cancels)");
+                       "Click the same place in the blueprint, or press Enter to take the predicted place (Esc "
+                       "cancels)");
     return in_blueprint ? Text::tr("Now click the same place in the SLAM map (Esc cancels)")
                         : Text::tr("Now click the same place in the blueprint (Esc cancels)");
   }

@@ -100,11 +100,12 @@ void MainWindow::layOut() {
   blueprint_view_ = new MapView;
   blueprint_view_->setObjectName(QStringLiteral("blueprintView"));
   blueprint_view_->setAccessibleName(tr("Blueprint"));
-  blueprint_view_->setEmptyText(tr("Drop the blueprint here:\na map YAML, PNG, JPG, PGM or TIFF"));
+  blueprint_view_->setEmptyText(
+      tr("Drop the blueprint here, or click to choose it:\na map YAML, PNG, JPG, PGM or TIFF"));
   slam_view_ = new MapView;
   slam_view_->setObjectName(QStringLiteral("slamView"));
   slam_view_->setAccessibleName(tr("SLAM map"));
-  slam_view_->setEmptyText(tr("Drop the SLAM map here:\na map YAML, PGM, PNG or TIFF"));
+  slam_view_->setEmptyText(tr("Drop the SLAM map here, or click to choose it:\na map YAML, PGM, PNG or TIFF"));
   map_choice_ = new QComboBox;
   map_choice_->setObjectName(QStringLiteral("mapChoice"));
   map_choice_->setAccessibleName(tr("SLAM map being edited"));
@@ -190,7 +191,28 @@ void MainWindow::connectFileActions() {
   });
   on(kRemoveSlamMap, [this] { edit::removeSlamMap(session_.document(), session_.document().currentMapName()); });
   files_->setBeforeSave([this] { storeViewState(); });
-  connect(views_, &ViewPair::filesDropped, files_, &ProjectFiles::takeDropped);
+  connect(views_, &ViewPair::filesDropped, this, [this](Side side, QStringList paths) {
+    // Whatever belongs to a site can be dropped anywhere.
+    for (auto path = paths.begin(); path != paths.end();) {
+      const bool anchors = path->endsWith(QStringLiteral(".csv"), Qt::CaseInsensitive) ||
+                           path->endsWith(QStringLiteral(".data"), Qt::CaseInsensitive);
+      const bool projector = path->endsWith(QStringLiteral(".c2s"), Qt::CaseInsensitive);
+      if (anchors) exports_->importAnchors(*path);
+      if (projector) exports_->inspectProjector(*path);
+      path = anchors || projector ? paths.erase(path) : path + 1;
+    }
+    files_->takeDropped(side, paths);
+  });
+  for (const Side side : {Side::kBlueprint, Side::kSlam})
+    connect(
+        &view(side), &MapView::chooseRequested, this,
+        [this, side] {
+          // A map whose image is still loading, or missing, has been chosen already.
+          const ProjectDocument& document = session_.document();
+          const bool chosen = side == Side::kBlueprint ? document.hasBlueprint() : document.currentMap() != nullptr;
+          if (!chosen) files_->askImage(side);
+        },
+        Qt::QueuedConnection);
   connect(files_, &ProjectFiles::savedOrOpened, this, &MainWindow::refreshTitle);
 }
 
@@ -343,7 +365,7 @@ void MainWindow::refreshStatus() {
   status_->setChip(chip.text, chip.look);
   status_->chip()->setToolTip(chip.tooltip);
   (*actions_)[kCancelSolve]->setEnabled(session_.alignment().status() == AlignmentStatus::kSolving ||
-                                         session_.alignment().areOthersBusy());
+                                        session_.alignment().areOthersBusy());
   for (const ActionId id : {kLink, kOtherFollows, kFollowOther})
     (*actions_)[id]->setEnabled(session_.alignment().result() != nullptr);
 }

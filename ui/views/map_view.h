@@ -43,6 +43,8 @@ class MapView : public QWidget {
   [[nodiscard]] const std::optional<MapFrame>& frame() const;
   /// Shown in the drop zone while there is no image.
   void setEmptyText(const QString& text);
+  /// Metres for each unit of the frame, for the scale bar; 0 where that is not known, and there is no bar then.
+  void setScaleBarUnit(double metres);
 
   void setMarkers(std::vector<Marker> markers);
   void setMarkersVisible(bool visible);
@@ -92,6 +94,8 @@ class MapView : public QWidget {
   [[nodiscard]] QSize minimumSizeHint() const override;
 
  signals:
+  /// Click or Enter in the empty drop zone.
+  void chooseRequested();
   /// A click on no marker. `snapped`: the point is the corner that was shown before the click.
   void clicked(const QPointF& point_m, Qt::KeyboardModifiers modifiers, bool snapped);
   /// A press on a marker or pose, before any drag; Ctrl and Shift are for multi-selection.
@@ -216,6 +220,9 @@ class MapView : public QWidget {
   QTransform widget_from_metres_;
   QTransform metres_from_widget_;
   bool fit_pending_ = false;
+  QPoint origin_in_window_;  // as of the last resize
+  QSize window_size_;
+  double scale_bar_unit_m_ = 1.0;
   QVariantAnimation animation_;
   bool locked_ = false;
   bool snapping_ = true;

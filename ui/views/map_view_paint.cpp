@@ -83,7 +83,7 @@ void MapView::paintEvent(QPaintEvent*) {
   if (snap_m_ && cursor_) marker_painter_.paintSnap(painter, widgetFromMetres(*snap_m_));
   if (cursor_ && (crosshair_ || loupe)) decoration::paintCrosshair(painter, view, *cursor_);
 
-  decoration::paintScaleBar(painter, view, state_.m_per_px);
+  decoration::paintScaleBar(painter, view, state_.m_per_px * scale_bar_unit_m_);
   decoration::paintCompass(painter, view, state_.rotation_rad, compass_hovered_ || gesture_ == Gesture::kTurnView);
   paintOnTop(painter);
   if (cursor_ && loupe) paintLoupe(painter);
