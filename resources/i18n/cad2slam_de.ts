@@ -1567,6 +1567,14 @@ a map YAML, PGM, PNG or TIFF</source>
         <translation>SLAM-Karte hier ablegen oder zum Auswählen klicken:
 Karten-YAML, PGM, PNG oder TIFF</translation>
     </message>
+    <message>
+        <source>Loading...</source>
+        <translation>Lädt...</translation>
+    </message>
+    <message>
+        <source>This image cannot be shown: see the message above</source>
+        <translation>Dieses Bild kann nicht gezeigt werden: siehe Meldung oben</translation>
+    </message>
 </context>
 <context>
     <name>cad2slam::MapView</name>
@@ -1715,10 +1723,6 @@ Karten-YAML, PGM, PNG oder TIFF</translation>
         <translation>Netz: Länge gegen Ruhelänge</translation>
     </message>
     <message>
-        <source>Residuals: projected to clicked place</source>
-        <translation>Restfehler: von der projizierten zur angeklickten Stelle</translation>
-    </message>
-    <message>
         <source>Local scale against the mean</source>
         <translation>Örtlicher Maßstab gegen das Mittel</translation>
     </message>
@@ -1795,6 +1799,14 @@ Karten-YAML, PGM, PNG oder TIFF</translation>
         <source> %</source>
         <comment>per cent</comment>
         <translation> %</translation>
+    </message>
+    <message>
+        <source>Residuals, %1 times as long</source>
+        <translation>Restfehler, %1-mal so lang</translation>
+    </message>
+    <message>
+        <source>From the projected to the clicked place</source>
+        <translation>Von der projizierten zur geklickten Stelle</translation>
     </message>
 </context>
 <context>

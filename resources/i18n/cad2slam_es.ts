@@ -1567,6 +1567,14 @@ a map YAML, PGM, PNG or TIFF</source>
         <translation>Suelte aquí el mapa SLAM o haga clic para elegirlo:
 YAML de mapa, PGM, PNG o TIFF</translation>
     </message>
+    <message>
+        <source>Loading...</source>
+        <translation>Cargando...</translation>
+    </message>
+    <message>
+        <source>This image cannot be shown: see the message above</source>
+        <translation>Esta imagen no se puede mostrar: vea el mensaje de arriba</translation>
+    </message>
 </context>
 <context>
     <name>cad2slam::MapView</name>
@@ -1715,10 +1723,6 @@ YAML de mapa, PGM, PNG o TIFF</translation>
         <translation>Malla: longitud frente al reposo</translation>
     </message>
     <message>
-        <source>Residuals: projected to clicked place</source>
-        <translation>Residuos: del lugar proyectado al clic</translation>
-    </message>
-    <message>
         <source>Local scale against the mean</source>
         <translation>Escala local frente a la media</translation>
     </message>
@@ -1795,6 +1799,14 @@ YAML de mapa, PGM, PNG o TIFF</translation>
         <source> %</source>
         <comment>per cent</comment>
         <translation> %</translation>
+    </message>
+    <message>
+        <source>Residuals, %1 times as long</source>
+        <translation>Residuos, %1 veces más largos</translation>
+    </message>
+    <message>
+        <source>From the projected to the clicked place</source>
+        <translation>Del lugar proyectado al lugar marcado</translation>
     </message>
 </context>
 <context>

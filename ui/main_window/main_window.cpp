@@ -80,6 +80,7 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent), actions_(new Acti
   restoreState(settings.value(QStringLiteral("window_state")).toByteArray());
   refreshTitle();
   refreshMapChoice();
+  refreshDropZones();
   refreshStatus();
 }
 
@@ -100,12 +101,9 @@ void MainWindow::layOut() {
   blueprint_view_ = new MapView;
   blueprint_view_->setObjectName(QStringLiteral("blueprintView"));
   blueprint_view_->setAccessibleName(tr("Blueprint"));
-  blueprint_view_->setEmptyText(
-      tr("Drop the blueprint here, or click to choose it:\na map YAML, PNG, JPG, PGM or TIFF"));
   slam_view_ = new MapView;
   slam_view_->setObjectName(QStringLiteral("slamView"));
   slam_view_->setAccessibleName(tr("SLAM map"));
-  slam_view_->setEmptyText(tr("Drop the SLAM map here, or click to choose it:\na map YAML, PGM, PNG or TIFF"));
   map_choice_ = new QComboBox;
   map_choice_->setObjectName(QStringLiteral("mapChoice"));
   map_choice_->setAccessibleName(tr("SLAM map being edited"));
@@ -286,6 +284,7 @@ void MainWindow::connectSession() {
     if (event.what & Change::kEverything) views_restored_ = false;
     if (event.what & (Change::kEverything | Change::kSlamMaps | Change::kCurrentMap)) refreshMapChoice();
     refreshTitle();
+    refreshDropZones();
     refreshActions();
     refreshStatus();
     refreshTable();
@@ -310,6 +309,7 @@ void MainWindow::connectSession() {
   });
   connect(&session_.rasters(), &RasterStore::changed, this, [this] {
     if (session_.isReady() && !views_restored_) restoreViewState();
+    refreshDropZones();
     refreshActions();
     refreshStatus();
   });
@@ -382,6 +382,19 @@ void MainWindow::refreshMapChoice() {
   for (const ProjectSlamMap& map : session_.document().project().slam_maps) map_choice_->addItem(toQString(map.name));
   map_choice_->setCurrentText(toQString(session_.document().currentMapName()));
   map_choice_->setVisible(map_choice_->count() > 0);
+}
+
+void MainWindow::refreshDropZones() {
+  const ProjectDocument& document = session_.document();
+  const auto text = [&](bool chosen, const QString& invitation) {
+    if (!chosen) return invitation;
+    return session_.rasters().isLoading() ? tr("Loading...") : tr("This image cannot be shown: see the message above");
+  };
+  blueprint_view_->setEmptyText(
+      text(document.hasBlueprint(),
+           tr("Drop the blueprint here, or click to choose it:\na map YAML, PNG, JPG, PGM or TIFF")));
+  slam_view_->setEmptyText(text(document.currentMap() != nullptr,
+                                tr("Drop the SLAM map here, or click to choose it:\na map YAML, PGM, PNG or TIFF")));
 }
 
 void MainWindow::showReadout(Side side, const QPointF& point_m, const QPointF& image_px) {

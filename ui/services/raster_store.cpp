@@ -123,8 +123,13 @@ void RasterStore::take(Side side, int ticket, const ProjectRaster& raster, const
   if (!answer.frame) {
     slot.clear();
     const bool missing = answer.state == RasterState::kMissing || answer.frame.error().code == ErrorCode::kNotFound;
-    emit problem({missing ? RasterProblem::Kind::kMissing : RasterProblem::Kind::kUnreadable, side, map,
-                  raster.metadata.image, toQString(answer.frame.error().sentence())});
+    emit problem({missing ? RasterProblem::Kind::kMissing : RasterProblem::Kind::kUnreadable,
+                  side,
+                  map,
+                  raster.metadata.image,
+                  toQString(answer.frame.error().sentence()),
+                  0,
+                  {}});
     return emit changed(side, true);
   }
   // The document may have been rescaled while the image was being read.

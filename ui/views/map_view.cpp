@@ -84,6 +84,11 @@ void MapView::setScaleBarUnit(double metres) {
   update();
 }
 
+void MapView::setMagnificationNote(bool shown) {
+  magnification_note_ = shown;
+  update();
+}
+
 void MapView::setMarkers(std::vector<Marker> markers) {
   markers_ = std::move(markers);
   update();

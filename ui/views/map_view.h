@@ -45,11 +45,13 @@ class MapView : public QWidget {
   void setEmptyText(const QString& text);
   /// Metres for each unit of the frame, for the scale bar; 0 where that is not known, and there is no bar then.
   void setScaleBarUnit(double metres);
+  void setMagnificationNote(bool shown);
 
   void setMarkers(std::vector<Marker> markers);
   void setMarkersVisible(bool visible);
   void setMarkerTextVisible(bool visible);
   void setGhost(std::optional<Ghost> ghost);
+  /// A note tells a magnification other than 1, unless setMagnificationNote(false).
   void setResiduals(std::vector<ResidualVector> residuals, double magnification);
   /// Shared with whoever made it; null takes it away.
   void setMesh(std::shared_ptr<const MeshOverlay> mesh);
@@ -130,6 +132,7 @@ class MapView : public QWidget {
   void filesDropped(const QStringList& paths);
 
  protected:
+  [[nodiscard]] double residualMagnification() const { return residual_magnification_; }
   /// The raster itself; a subclass may draw something else in its place, logical pixels.
   virtual void paintBase(QPainter& painter);
   /// Over everything else but the loupe.
@@ -207,6 +210,7 @@ class MapView : public QWidget {
   std::optional<Ghost> ghost_;
   std::vector<ResidualVector> residuals_;
   double residual_magnification_ = 1.0;
+  bool magnification_note_ = true;
   std::vector<PoseGlyph> poses_;
   std::vector<PathGlyph> paths_;
   std::optional<QPointF> mirrored_cursor_m_;

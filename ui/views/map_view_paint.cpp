@@ -88,7 +88,7 @@ void MapView::paintEvent(QPaintEvent*) {
   paintOnTop(painter);
   if (cursor_ && loupe) paintLoupe(painter);
 
-  if (!residuals_.empty() && residual_magnification_ != 1.0) {
+  if (magnification_note_ && !residuals_.empty() && residual_magnification_ != 1.0) {
     const QString text =
         tr("Residuals drawn %1 times as long").arg(QLocale().toString(residual_magnification_, 'g', 3));
     decoration::paintChip(painter, QPointF(view.width() / 2.0, view.height() - 36.0), text, QColor(50, 54, 60, 215),

@@ -206,7 +206,8 @@ class FilesTest : public QObject {
       QVERIFY(office.window.files().openProject(there + QStringLiteral("/site.c2sproj")));
       QTRY_VERIFY_WITH_TIMEOUT(office.hasMessage(QStringLiteral("image-1")), test::kPatience);
       QCOMPARE(office.document().anchors().size(), std::size_t(4));
-      RasterProblem problem{RasterProblem::Kind::kMissing, Side::kSlam, office.document().currentMapName(), {}, {}};
+      RasterProblem problem{
+          RasterProblem::Kind::kMissing, Side::kSlam, office.document().currentMapName(), {}, {}, 0, {}};
       QVERIFY(office.window.files().relocate(problem, there + QStringLiteral("/renamed.png")));
       QVERIFY(office.waitUntilReady());
       QVERIFY(office.waitUntilSolved());
@@ -322,7 +323,7 @@ class FilesTest : public QObject {
     QImage picture(here + QStringLiteral("/blueprint.png"));
     picture.invertPixels();
     QVERIFY(picture.save(here + QStringLiteral("/inverted.png")));
-    QVERIFY(office.window.files().relocate({RasterProblem::Kind::kChanged, Side::kBlueprint, {}, {}, {}},
+    QVERIFY(office.window.files().relocate({RasterProblem::Kind::kChanged, Side::kBlueprint, {}, {}, {}, 0, {}},
                                            here + QStringLiteral("/inverted.png")));
     QVERIFY(office.waitUntilReady());
     QTRY_VERIFY_WITH_TIMEOUT(office.hasMessage(QStringLiteral("image-0")), test::kPatience);
