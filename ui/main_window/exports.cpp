@@ -139,8 +139,8 @@ bool Exports::importAnchors(const QString& path) {
     return false;
   }
   const std::size_t count = read->anchors.size();
-  session_.selection().set(
-      edit::addAnchors(session_.document(), std::move(read->anchors), tr("import %n anchor(s)", nullptr, int(count))));
+  edit::addAnchors(session_.document(), std::move(read->anchors), tr("import %n anchor(s)", nullptr, int(count)));
+  session_.selection().clear();  // dozens of selected anchors would hide the maps
   QString text = tr("%n anchor(s) imported", nullptr, int(count));
   if (!read->rejected.empty()) {
     QStringList lines;

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <QApplication>
+#include <QCursor>
 #include <QResizeEvent>
 
 #include "ui/convert.h"
@@ -321,10 +323,13 @@ void MapView::resizeEvent(QResizeEvent* event) {
   QWidget::resizeEvent(event);
   const QPoint origin = mapTo(window(), QPoint());
   const QSize change = size() - event->oldSize();
-  const bool by_message = isVisible() && window()->size() == window_size_ && event->oldSize().isValid() &&
+  const bool aimed_at = qobject_cast<const MapView*>(QApplication::widgetAt(QCursor::pos())) != nullptr;
+  const bool by_message = isVisible() && (aimed_at || !fit_pending_) && window()->size() == window_size_ &&
+                          event->oldSize().isValid() &&
                           std::max(std::abs(change.width()), std::abs(change.height())) <= kMessages_px;
   if (by_message) {
-    // A message came or went beside the view: what is under the cursor stays there, or the next click misses.
+    // A message came or went beside the view: what is under the cursor stays there, or the next click misses. A map
+    // that nobody is about to click in is rather seen whole.
     const QPointF middle = QRectF(rect()).center() + QPointF(origin - origin_in_window_);
     state_.center_m = metres_from_widget_.map(middle);
   }

@@ -292,6 +292,7 @@ class PlacingTest : public QObject {
     office.addExact(3);
     QVERIFY(office.waitUntilSolved());
     office.window.messages().showGroup(QString(), {});
+    QCursor::setPos(office.window.view(Side::kBlueprint).mapToGlobal(QPoint(200, 200)));  // about to click
     QCoreApplication::processEvents();
     const auto seen = [&](Side side) {
       MapView& v = office.window.view(side);
