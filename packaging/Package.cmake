@@ -82,7 +82,7 @@ if(TARGET cad2slam_app)
 Shows the blueprint of a building beside the SLAM map of a robot. The
 installer clicks places that both show; a mesh is fitted to them at every
 edit, and the projector file at the end takes poses between both maps.")
-  set(CPACK_DEBIAN_APP_PACKAGE_RECOMMENDS "libopenblas0-pthread | libopenblas0, qt6-qpa-plugins")
+  set(CPACK_DEBIAN_APP_PACKAGE_RECOMMENDS "libopenblas0-pthread | libopenblas0, qt6-qpa-plugins, qt6-translations-l10n")
   set(CPACK_DEBIAN_APP_PACKAGE_SUGGESTS cad2slam-cli)
 endif()
 

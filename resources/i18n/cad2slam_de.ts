@@ -24,14 +24,6 @@
         <translation>Anker sind gesperrt, nur zum Ansehen (K entsperrt)</translation>
     </message>
     <message>
-        <source>Click the same place in the SLAM map, or press Enter to take the dashed ring (Esc cancels)</source>
-        <translation>Dieselbe Stelle in der SLAM-Karte anklicken, oder Eingabe nimmt den gestrichelten Ring (Esc bricht ab)</translation>
-    </message>
-    <message>
-        <source>Click the same place in the blueprint, or press Enter to take the dashed ring (Esc cancels)</source>
-        <translation>Dieselbe Stelle im Bauplan anklicken, oder Eingabe nimmt den gestrichelten Ring (Esc bricht ab)</translation>
-    </message>
-    <message>
         <source>Now click the same place in the SLAM map (Esc cancels)</source>
         <translation>Jetzt dieselbe Stelle in der SLAM-Karte anklicken (Esc bricht ab)</translation>
     </message>
@@ -102,6 +94,22 @@
     <message>
         <source>Click to solve again (F5)</source>
         <translation>Klick löst noch einmal (F5)</translation>
+    </message>
+    <message>
+        <source>Click the same place in the SLAM map, or press Enter to take the predicted place (Esc cancels)</source>
+        <translation>Dieselbe Stelle in der SLAM-Karte anklicken oder mit Enter die vorhergesagte Stelle nehmen (Esc bricht ab)</translation>
+    </message>
+    <message>
+        <source>Click the same place in the blueprint, or press Enter to take the predicted place (Esc cancels)</source>
+        <translation>Dieselbe Stelle im Bauplan anklicken oder mit Enter die vorhergesagte Stelle nehmen (Esc bricht ab)</translation>
+    </message>
+    <message>
+        <source>solving the others...</source>
+        <translation>löst die anderen...</translation>
+    </message>
+    <message>
+        <source>The other SLAM maps are solved for the preview; click to stop (Ctrl+.)</source>
+        <translation>Die anderen SLAM-Karten werden für die Vorschau gelöst; ein Klick hält an (Strg+.)</translation>
     </message>
 </context>
 <context>
@@ -407,7 +415,7 @@
         <translation>SLAM-&amp;Karte hinzufügen...</translation>
     </message>
     <message>
-        <source>Add a robot's map: a map YAML or an image</source>
+        <source>Add a robot&apos;s map: a map YAML or an image</source>
         <translation>Die Karte eines Roboters hinzufügen: Karten-YAML oder Bild</translation>
     </message>
     <message>
@@ -591,7 +599,7 @@
         <translation>Anker &amp;kopieren von...</translation>
     </message>
     <message>
-        <source>Take over the blueprint points of another SLAM map's anchors</source>
+        <source>Take over the blueprint points of another SLAM map&apos;s anchors</source>
         <translation>Die Bauplanpunkte der Anker einer anderen SLAM-Karte übernehmen</translation>
     </message>
     <message>
@@ -883,7 +891,10 @@
     </message>
     <message numerus="yes">
         <source>%n anchor(s) deleted</source>
-        <translation><numerusform>%n Anker gelöscht</numerusform><numerusform>%n Anker gelöscht</numerusform></translation>
+        <translation>
+            <numerusform>%n Anker gelöscht</numerusform>
+            <numerusform>%n Anker gelöscht</numerusform>
+        </translation>
     </message>
     <message>
         <source>Undo</source>
@@ -902,7 +913,7 @@
         <translation>Meter je Pixel des Bauplans:</translation>
     </message>
     <message>
-        <source>"%1" is not a length above zero</source>
+        <source>&quot;%1&quot; is not a length above zero</source>
         <translation>„%1“ ist keine Länge über null</translation>
     </message>
     <message>
@@ -949,10 +960,6 @@
         <translation>Mitte dessen, um wie viel jeder Anker ohne sich selbst verfehlt würde: eine ehrliche Schätzung des Fehlers anderswo</translation>
     </message>
     <message>
-        <source>Share of the walls of the SLAM map that lie within 10 cm of a wall of the blueprint</source>
-        <translation>Anteil der Wände der SLAM-Karte, die höchstens 10 cm von einer Wand des Bauplans liegen</translation>
-    </message>
-    <message>
         <source>Used %1 of %2</source>
         <translation>Benutzt %1 von %2</translation>
     </message>
@@ -967,10 +974,6 @@
     <message>
         <source>Without-it median %1</source>
         <translation>Median ohne Anker %1</translation>
-    </message>
-    <message>
-        <source>Walls matched %1 %</source>
-        <translation>Wände getroffen %1 %</translation>
     </message>
 </context>
 <context>
@@ -1318,6 +1321,10 @@
         <source>A plain turn, shift and scale is enough here (%1 off in the middle): this SLAM map is not bent</source>
         <translation>Drehung, Verschiebung und Maßstab genügen hier (in der Mitte %1 daneben): diese SLAM-Karte ist nicht verbogen</translation>
     </message>
+    <message>
+        <source>%1 m</source>
+        <translation>%1 m</translation>
+    </message>
 </context>
 <context>
     <name>cad2slam::ExportDialog</name>
@@ -1398,11 +1405,17 @@
     </message>
     <message numerus="yes">
         <source>import %n anchor(s)</source>
-        <translation><numerusform>%n Anker importieren</numerusform><numerusform>%n Anker importieren</numerusform></translation>
+        <translation>
+            <numerusform>%n Anker importieren</numerusform>
+            <numerusform>%n Anker importieren</numerusform>
+        </translation>
     </message>
     <message numerus="yes">
         <source>%n anchor(s) imported</source>
-        <translation><numerusform>%n Anker importiert</numerusform><numerusform>%n Anker importiert</numerusform></translation>
+        <translation>
+            <numerusform>%n Anker importiert</numerusform>
+            <numerusform>%n Anker importiert</numerusform>
+        </translation>
     </message>
     <message>
         <source>line %1: %2</source>
@@ -1414,7 +1427,10 @@
     </message>
     <message numerus="yes">
         <source> and %n more</source>
-        <translation><numerusform> und %n weitere</numerusform><numerusform> und %n weitere</numerusform></translation>
+        <translation>
+            <numerusform> und %n weitere</numerusform>
+            <numerusform> und %n weitere</numerusform>
+        </translation>
     </message>
     <message>
         <source>Anchors written to %1</source>
@@ -1425,7 +1441,7 @@
         <translation>Projektor nach %1 geschrieben, wieder gelesen und an %2 Stellen verglichen</translation>
     </message>
     <message>
-        <source>%1: made by %2 on %3 from project %4; blueprint to SLAM map "%5", %6 nodes, %7 anchors</source>
+        <source>%1: made by %2 on %3 from project %4; blueprint to SLAM map &quot;%5&quot;, %6 nodes, %7 anchors</source>
         <translation>%1: gemacht von %2 am %3 aus Projekt %4; Bauplan zu SLAM-Karte „%5“, %6 Knoten, %7 Anker</translation>
     </message>
     <message>
@@ -1480,6 +1496,14 @@
         <source>Projectors (*.c2s);;All files (*)</source>
         <translation>Projektoren (*.c2s);;Alle Dateien (*)</translation>
     </message>
+    <message>
+        <source>not known</source>
+        <translation>nicht bekannt</translation>
+    </message>
+    <message>
+        <source>SHA-256 of the images: blueprint %1, SLAM map %2</source>
+        <translation>SHA-256 der Bilder: Bauplan %1, SLAM-Karte %2</translation>
+    </message>
 </context>
 <context>
     <name>cad2slam::MainWindow</name>
@@ -1488,20 +1512,8 @@
         <translation>Bauplan</translation>
     </message>
     <message>
-        <source>Drop the blueprint here:
-a map YAML, PNG, JPG, PGM or TIFF</source>
-        <translation>Bauplan hierher ziehen:
-Karten-YAML, PNG, JPG, PGM oder TIFF</translation>
-    </message>
-    <message>
         <source>SLAM map</source>
         <translation>SLAM-Karte</translation>
-    </message>
-    <message>
-        <source>Drop the SLAM map here:
-a map YAML, PGM, PNG or TIFF</source>
-        <translation>SLAM-Karte hierher ziehen:
-Karten-YAML, PGM, PNG oder TIFF</translation>
     </message>
     <message>
         <source>SLAM map being edited</source>
@@ -1543,6 +1555,26 @@ Karten-YAML, PGM, PNG oder TIFF</translation>
         <source>%1  x %2 m  y %3 m   pixel %4, %5</source>
         <translation>%1  x %2 m  y %3 m   Pixel %4, %5</translation>
     </message>
+    <message>
+        <source>Drop the blueprint here, or click to choose it:
+a map YAML, PNG, JPG, PGM or TIFF</source>
+        <translation>Bauplan hier ablegen oder zum Auswählen klicken:
+Karten-YAML, PNG, JPG, PGM oder TIFF</translation>
+    </message>
+    <message>
+        <source>Drop the SLAM map here, or click to choose it:
+a map YAML, PGM, PNG or TIFF</source>
+        <translation>SLAM-Karte hier ablegen oder zum Auswählen klicken:
+Karten-YAML, PGM, PNG oder TIFF</translation>
+    </message>
+    <message>
+        <source>Loading...</source>
+        <translation>Lädt...</translation>
+    </message>
+    <message>
+        <source>This image cannot be shown: see the message above</source>
+        <translation>Dieses Bild kann nicht gezeigt werden: siehe Meldung oben</translation>
+    </message>
 </context>
 <context>
     <name>cad2slam::MapView</name>
@@ -1567,7 +1599,10 @@ Karten-YAML, PGM, PNG oder TIFF</translation>
     </message>
     <message numerus="yes">
         <source>%n more message(s)</source>
-        <translation><numerusform>%n weitere Meldung</numerusform><numerusform>%n weitere Meldungen</numerusform></translation>
+        <translation>
+            <numerusform>%n weitere Meldung</numerusform>
+            <numerusform>%n weitere Meldungen</numerusform>
+        </translation>
     </message>
     <message>
         <source>Close this message</source>
@@ -1688,10 +1723,6 @@ Karten-YAML, PGM, PNG oder TIFF</translation>
         <translation>Netz: Länge gegen Ruhelänge</translation>
     </message>
     <message>
-        <source>Residuals: projected to clicked place</source>
-        <translation>Restfehler: von der projizierten zur angeklickten Stelle</translation>
-    </message>
-    <message>
         <source>Local scale against the mean</source>
         <translation>Örtlicher Maßstab gegen das Mittel</translation>
     </message>
@@ -1769,6 +1800,14 @@ Karten-YAML, PGM, PNG oder TIFF</translation>
         <comment>per cent</comment>
         <translation> %</translation>
     </message>
+    <message>
+        <source>Residuals, %1 times as long</source>
+        <translation>Restfehler, %1-mal so lang</translation>
+    </message>
+    <message>
+        <source>From the projected to the clicked place</source>
+        <translation>Von der projizierten zur geklickten Stelle</translation>
+    </message>
 </context>
 <context>
     <name>cad2slam::PreviewWiring</name>
@@ -1803,6 +1842,22 @@ Karten-YAML, PGM, PNG oder TIFF</translation>
     <message>
         <source>Blueprint</source>
         <translation>Bauplan</translation>
+    </message>
+    <message>
+        <source>%1 (no anchors)</source>
+        <translation>%1 (keine Anker)</translation>
+    </message>
+    <message>
+        <source>%1 (solving...)</source>
+        <translation>%1 (wird gelöst...)</translation>
+    </message>
+    <message>
+        <source>%1 (cannot be solved)</source>
+        <translation>%1 (nicht lösbar)</translation>
+    </message>
+    <message>
+        <source>%1 (stopped)</source>
+        <translation>%1 (angehalten)</translation>
     </message>
 </context>
 <context>
@@ -1874,6 +1929,10 @@ Karten-YAML, PGM, PNG oder TIFF</translation>
     <message>
         <source>Where is %1?</source>
         <translation>Wo ist %1?</translation>
+    </message>
+    <message>
+        <source>Use this one</source>
+        <translation>Dieses benutzen</translation>
     </message>
 </context>
 <context>
@@ -1955,6 +2014,10 @@ Karten-YAML, PGM, PNG oder TIFF</translation>
     <message>
         <source>not known yet</source>
         <translation>noch nicht bekannt</translation>
+    </message>
+    <message>
+        <source>for example %1</source>
+        <translation>zum Beispiel %1</translation>
     </message>
 </context>
 <context>
@@ -2119,6 +2182,30 @@ Karten-YAML, PGM, PNG oder TIFF</translation>
         <source>The fields with a frame need a number above zero</source>
         <translation>Die umrahmten Felder brauchen eine Zahl über null</translation>
     </message>
+    <message>
+        <source>Automatic: what predicts the anchors best (recommended)</source>
+        <translation>Automatisch: was die Anker am besten vorhersagt (empfohlen)</translation>
+    </message>
+    <message>
+        <source>Balanced</source>
+        <translation>Ausgewogen</translation>
+    </message>
+    <message>
+        <source>Smooth: halls that bend as a whole</source>
+        <translation>Glatt: Hallen, die sich als Ganzes biegen</translation>
+    </message>
+    <message>
+        <source>Local: corridors that drifted each by themselves</source>
+        <translation>Örtlich: Flure, die jeder für sich abgedriftet sind</translation>
+    </message>
+    <message>
+        <source>The numbers below</source>
+        <translation>Die Zahlen darunter</translation>
+    </message>
+    <message>
+        <source>S&amp;tiffness:</source>
+        <translation>S&amp;teifigkeit:</translation>
+    </message>
 </context>
 <context>
     <name>cad2slam::TestPoses</name>
@@ -2189,11 +2276,7 @@ Karten-YAML, PGM, PNG oder TIFF</translation>
         <translation>Das ist ein Anker. Setzen Sie einen zweiten weit weg davon</translation>
     </message>
     <message>
-        <source>From now on the other half is predicted: after the first click a dashed ring shows it. Enter takes it, a click elsewhere corrects it. Make four anchors</source>
-        <translation>Ab jetzt wird die andere Hälfte vorhergesagt: nach dem ersten Klick zeigt sie ein gestrichelter Ring. Eingabe nimmt ihn, ein Klick anderswo berichtigt ihn. Setzen Sie vier Anker</translation>
-    </message>
-    <message>
-        <source>From four anchors on each is checked by the others: see "Without it" in the table. The preview shows both maps together, O changes how</source>
+        <source>From four anchors on each is checked by the others: see &quot;Without it&quot; in the table. The preview shows both maps together, O changes how</source>
         <translation>Ab vier Ankern wird jeder von den anderen geprüft: siehe „Ohne ihn“ in der Tabelle. Die Vorschau zeigt beide Karten zusammen, O wechselt die Art</translation>
     </message>
     <message>
@@ -2215,6 +2298,10 @@ Karten-YAML, PGM, PNG oder TIFF</translation>
     <message>
         <source>End the tour</source>
         <translation>Rundgang beenden</translation>
+    </message>
+    <message>
+        <source>From now on the other half is predicted: after the first click a blue mark shows it. Enter takes it, a click elsewhere corrects it. Make four anchors</source>
+        <translation>Ab jetzt wird die andere Hälfte vorhergesagt: nach dem ersten Klick zeigt sie ein blaues Zeichen. Enter nimmt sie, ein Klick woanders korrigiert sie. Vier Anker setzen</translation>
     </message>
 </context>
 <context>

@@ -24,14 +24,6 @@
         <translation>Las anclas están bloqueadas, solo para mirar (K desbloquea)</translation>
     </message>
     <message>
-        <source>Click the same place in the SLAM map, or press Enter to take the dashed ring (Esc cancels)</source>
-        <translation>Haga clic en el mismo lugar del mapa SLAM, o pulse Intro para aceptar el anillo discontinuo (Esc cancela)</translation>
-    </message>
-    <message>
-        <source>Click the same place in the blueprint, or press Enter to take the dashed ring (Esc cancels)</source>
-        <translation>Haga clic en el mismo lugar del plano, o pulse Intro para aceptar el anillo discontinuo (Esc cancela)</translation>
-    </message>
-    <message>
         <source>Now click the same place in the SLAM map (Esc cancels)</source>
         <translation>Ahora haga clic en el mismo lugar del mapa SLAM (Esc cancela)</translation>
     </message>
@@ -102,6 +94,22 @@
     <message>
         <source>Click to solve again (F5)</source>
         <translation>Clic para resolver otra vez (F5)</translation>
+    </message>
+    <message>
+        <source>Click the same place in the SLAM map, or press Enter to take the predicted place (Esc cancels)</source>
+        <translation>Haga clic en el mismo lugar del mapa SLAM o pulse Intro para tomar el lugar previsto (Esc cancela)</translation>
+    </message>
+    <message>
+        <source>Click the same place in the blueprint, or press Enter to take the predicted place (Esc cancels)</source>
+        <translation>Haga clic en el mismo lugar del plano o pulse Intro para tomar el lugar previsto (Esc cancela)</translation>
+    </message>
+    <message>
+        <source>solving the others...</source>
+        <translation>resolviendo los demás...</translation>
+    </message>
+    <message>
+        <source>The other SLAM maps are solved for the preview; click to stop (Ctrl+.)</source>
+        <translation>Los demás mapas SLAM se resuelven para la vista previa; clic para detener (Ctrl+.)</translation>
     </message>
 </context>
 <context>
@@ -407,7 +415,7 @@
         <translation>Añadir &amp;mapa SLAM...</translation>
     </message>
     <message>
-        <source>Add a robot's map: a map YAML or an image</source>
+        <source>Add a robot&apos;s map: a map YAML or an image</source>
         <translation>Añadir el mapa de un robot: YAML de mapa o imagen</translation>
     </message>
     <message>
@@ -591,7 +599,7 @@
         <translation>&amp;Copiar anclas de...</translation>
     </message>
     <message>
-        <source>Take over the blueprint points of another SLAM map's anchors</source>
+        <source>Take over the blueprint points of another SLAM map&apos;s anchors</source>
         <translation>Tomar los puntos del plano de las anclas de otro mapa SLAM</translation>
     </message>
     <message>
@@ -883,7 +891,10 @@
     </message>
     <message numerus="yes">
         <source>%n anchor(s) deleted</source>
-        <translation><numerusform>%n ancla borrada</numerusform><numerusform>%n anclas borradas</numerusform></translation>
+        <translation>
+            <numerusform>%n ancla borrada</numerusform>
+            <numerusform>%n anclas borradas</numerusform>
+        </translation>
     </message>
     <message>
         <source>Undo</source>
@@ -902,7 +913,7 @@
         <translation>Metros por píxel del plano:</translation>
     </message>
     <message>
-        <source>"%1" is not a length above zero</source>
+        <source>&quot;%1&quot; is not a length above zero</source>
         <translation>«%1» no es una longitud mayor que cero</translation>
     </message>
     <message>
@@ -949,10 +960,6 @@
         <translation>Valor central de lo que se erraría cada ancla sin ella misma: una estimación honesta del error en otros lugares</translation>
     </message>
     <message>
-        <source>Share of the walls of the SLAM map that lie within 10 cm of a wall of the blueprint</source>
-        <translation>Parte de las paredes del mapa SLAM que están a 10 cm o menos de una pared del plano</translation>
-    </message>
-    <message>
         <source>Used %1 of %2</source>
         <translation>Usadas %1 de %2</translation>
     </message>
@@ -967,10 +974,6 @@
     <message>
         <source>Without-it median %1</source>
         <translation>Mediana sin ella %1</translation>
-    </message>
-    <message>
-        <source>Walls matched %1 %</source>
-        <translation>Paredes coincidentes %1 %</translation>
     </message>
 </context>
 <context>
@@ -1318,6 +1321,10 @@
         <source>A plain turn, shift and scale is enough here (%1 off in the middle): this SLAM map is not bent</source>
         <translation>Aquí basta girar, desplazar y escalar (%1 de error en el centro): este mapa SLAM no está deformado</translation>
     </message>
+    <message>
+        <source>%1 m</source>
+        <translation>%1 m</translation>
+    </message>
 </context>
 <context>
     <name>cad2slam::ExportDialog</name>
@@ -1398,11 +1405,17 @@
     </message>
     <message numerus="yes">
         <source>import %n anchor(s)</source>
-        <translation><numerusform>importar %n ancla</numerusform><numerusform>importar %n anclas</numerusform></translation>
+        <translation>
+            <numerusform>importar %n ancla</numerusform>
+            <numerusform>importar %n anclas</numerusform>
+        </translation>
     </message>
     <message numerus="yes">
         <source>%n anchor(s) imported</source>
-        <translation><numerusform>%n ancla importada</numerusform><numerusform>%n anclas importadas</numerusform></translation>
+        <translation>
+            <numerusform>%n ancla importada</numerusform>
+            <numerusform>%n anclas importadas</numerusform>
+        </translation>
     </message>
     <message>
         <source>line %1: %2</source>
@@ -1414,7 +1427,10 @@
     </message>
     <message numerus="yes">
         <source> and %n more</source>
-        <translation><numerusform> y %n más</numerusform><numerusform> y %n más</numerusform></translation>
+        <translation>
+            <numerusform> y %n más</numerusform>
+            <numerusform> y %n más</numerusform>
+        </translation>
     </message>
     <message>
         <source>Anchors written to %1</source>
@@ -1425,7 +1441,7 @@
         <translation>Proyector escrito en %1, leído de nuevo y comparado en %2 lugares</translation>
     </message>
     <message>
-        <source>%1: made by %2 on %3 from project %4; blueprint to SLAM map "%5", %6 nodes, %7 anchors</source>
+        <source>%1: made by %2 on %3 from project %4; blueprint to SLAM map &quot;%5&quot;, %6 nodes, %7 anchors</source>
         <translation>%1: hecho por %2 el %3 del proyecto %4; plano a mapa SLAM «%5», %6 nodos, %7 anclas</translation>
     </message>
     <message>
@@ -1480,6 +1496,14 @@
         <source>Projectors (*.c2s);;All files (*)</source>
         <translation>Proyectores (*.c2s);;Todos los archivos (*)</translation>
     </message>
+    <message>
+        <source>not known</source>
+        <translation>desconocida</translation>
+    </message>
+    <message>
+        <source>SHA-256 of the images: blueprint %1, SLAM map %2</source>
+        <translation>SHA-256 de las imágenes: plano %1, mapa SLAM %2</translation>
+    </message>
 </context>
 <context>
     <name>cad2slam::MainWindow</name>
@@ -1488,20 +1512,8 @@
         <translation>Plano</translation>
     </message>
     <message>
-        <source>Drop the blueprint here:
-a map YAML, PNG, JPG, PGM or TIFF</source>
-        <translation>Suelte aquí el plano:
-YAML de mapa, PNG, JPG, PGM o TIFF</translation>
-    </message>
-    <message>
         <source>SLAM map</source>
         <translation>Mapa SLAM</translation>
-    </message>
-    <message>
-        <source>Drop the SLAM map here:
-a map YAML, PGM, PNG or TIFF</source>
-        <translation>Suelte aquí el mapa SLAM:
-YAML de mapa, PGM, PNG o TIFF</translation>
     </message>
     <message>
         <source>SLAM map being edited</source>
@@ -1543,6 +1555,26 @@ YAML de mapa, PGM, PNG o TIFF</translation>
         <source>%1  x %2 m  y %3 m   pixel %4, %5</source>
         <translation>%1  x %2 m  y %3 m   píxel %4, %5</translation>
     </message>
+    <message>
+        <source>Drop the blueprint here, or click to choose it:
+a map YAML, PNG, JPG, PGM or TIFF</source>
+        <translation>Suelte aquí el plano o haga clic para elegirlo:
+YAML de mapa, PNG, JPG, PGM o TIFF</translation>
+    </message>
+    <message>
+        <source>Drop the SLAM map here, or click to choose it:
+a map YAML, PGM, PNG or TIFF</source>
+        <translation>Suelte aquí el mapa SLAM o haga clic para elegirlo:
+YAML de mapa, PGM, PNG o TIFF</translation>
+    </message>
+    <message>
+        <source>Loading...</source>
+        <translation>Cargando...</translation>
+    </message>
+    <message>
+        <source>This image cannot be shown: see the message above</source>
+        <translation>Esta imagen no se puede mostrar: vea el mensaje de arriba</translation>
+    </message>
 </context>
 <context>
     <name>cad2slam::MapView</name>
@@ -1567,7 +1599,10 @@ YAML de mapa, PGM, PNG o TIFF</translation>
     </message>
     <message numerus="yes">
         <source>%n more message(s)</source>
-        <translation><numerusform>%n mensaje más</numerusform><numerusform>%n mensajes más</numerusform></translation>
+        <translation>
+            <numerusform>%n mensaje más</numerusform>
+            <numerusform>%n mensajes más</numerusform>
+        </translation>
     </message>
     <message>
         <source>Close this message</source>
@@ -1688,10 +1723,6 @@ YAML de mapa, PGM, PNG o TIFF</translation>
         <translation>Malla: longitud frente al reposo</translation>
     </message>
     <message>
-        <source>Residuals: projected to clicked place</source>
-        <translation>Residuos: del lugar proyectado al clic</translation>
-    </message>
-    <message>
         <source>Local scale against the mean</source>
         <translation>Escala local frente a la media</translation>
     </message>
@@ -1769,6 +1800,14 @@ YAML de mapa, PGM, PNG o TIFF</translation>
         <comment>per cent</comment>
         <translation> %</translation>
     </message>
+    <message>
+        <source>Residuals, %1 times as long</source>
+        <translation>Residuos, %1 veces más largos</translation>
+    </message>
+    <message>
+        <source>From the projected to the clicked place</source>
+        <translation>Del lugar proyectado al lugar marcado</translation>
+    </message>
 </context>
 <context>
     <name>cad2slam::PreviewWiring</name>
@@ -1803,6 +1842,22 @@ YAML de mapa, PGM, PNG o TIFF</translation>
     <message>
         <source>Blueprint</source>
         <translation>Plano</translation>
+    </message>
+    <message>
+        <source>%1 (no anchors)</source>
+        <translation>%1 (sin anclas)</translation>
+    </message>
+    <message>
+        <source>%1 (solving...)</source>
+        <translation>%1 (resolviendo...)</translation>
+    </message>
+    <message>
+        <source>%1 (cannot be solved)</source>
+        <translation>%1 (no se puede resolver)</translation>
+    </message>
+    <message>
+        <source>%1 (stopped)</source>
+        <translation>%1 (detenido)</translation>
     </message>
 </context>
 <context>
@@ -1874,6 +1929,10 @@ YAML de mapa, PGM, PNG o TIFF</translation>
     <message>
         <source>Where is %1?</source>
         <translation>¿Dónde está %1?</translation>
+    </message>
+    <message>
+        <source>Use this one</source>
+        <translation>Usar esta</translation>
     </message>
 </context>
 <context>
@@ -1955,6 +2014,10 @@ YAML de mapa, PGM, PNG o TIFF</translation>
     <message>
         <source>not known yet</source>
         <translation>aún no se conoce</translation>
+    </message>
+    <message>
+        <source>for example %1</source>
+        <translation>por ejemplo %1</translation>
     </message>
 </context>
 <context>
@@ -2119,6 +2182,30 @@ YAML de mapa, PGM, PNG o TIFF</translation>
         <source>The fields with a frame need a number above zero</source>
         <translation>Los campos con marco necesitan un número mayor que cero</translation>
     </message>
+    <message>
+        <source>Automatic: what predicts the anchors best (recommended)</source>
+        <translation>Automática: la que mejor predice las anclas (recomendada)</translation>
+    </message>
+    <message>
+        <source>Balanced</source>
+        <translation>Equilibrada</translation>
+    </message>
+    <message>
+        <source>Smooth: halls that bend as a whole</source>
+        <translation>Suave: naves que se doblan enteras</translation>
+    </message>
+    <message>
+        <source>Local: corridors that drifted each by themselves</source>
+        <translation>Local: pasillos que derivaron cada uno por su cuenta</translation>
+    </message>
+    <message>
+        <source>The numbers below</source>
+        <translation>Los números de abajo</translation>
+    </message>
+    <message>
+        <source>S&amp;tiffness:</source>
+        <translation>&amp;Rigidez:</translation>
+    </message>
 </context>
 <context>
     <name>cad2slam::TestPoses</name>
@@ -2189,11 +2276,7 @@ YAML de mapa, PGM, PNG o TIFF</translation>
         <translation>Eso es un ancla. Ponga otra lejos de ella</translation>
     </message>
     <message>
-        <source>From now on the other half is predicted: after the first click a dashed ring shows it. Enter takes it, a click elsewhere corrects it. Make four anchors</source>
-        <translation>Desde ahora la otra mitad se predice: tras el primer clic la muestra un anillo discontinuo. Intro lo acepta, un clic en otro lugar lo corrige. Ponga cuatro anclas</translation>
-    </message>
-    <message>
-        <source>From four anchors on each is checked by the others: see "Without it" in the table. The preview shows both maps together, O changes how</source>
+        <source>From four anchors on each is checked by the others: see &quot;Without it&quot; in the table. The preview shows both maps together, O changes how</source>
         <translation>Desde cuatro anclas cada una se comprueba con las demás: vea «Sin ella» en la tabla. La vista previa muestra ambos mapas juntos, O cambia cómo</translation>
     </message>
     <message>
@@ -2215,6 +2298,10 @@ YAML de mapa, PGM, PNG o TIFF</translation>
     <message>
         <source>End the tour</source>
         <translation>Terminar el recorrido</translation>
+    </message>
+    <message>
+        <source>From now on the other half is predicted: after the first click a blue mark shows it. Enter takes it, a click elsewhere corrects it. Make four anchors</source>
+        <translation>Desde ahora se predice la otra mitad: tras el primer clic la muestra una marca azul. Intro la toma, un clic en otro lugar la corrige. Ponga cuatro anclas</translation>
     </message>
 </context>
 <context>

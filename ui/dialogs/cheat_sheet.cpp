@@ -5,14 +5,30 @@
 #include "ui/main_window/actions.h"
 
 #include <QDialogButtonBox>
-#include <QTextBrowser>
+#include <QLabel>
+#include <QScreen>
+#include <QScrollArea>
 #include <QVBoxLayout>
 
 namespace cad2slam {
+namespace {
+
+/// The name in the menu, without mnemonic and dots.
+QString plainText(const QAction& action) {
+  QString text = action.text().section(QStringLiteral(": "), 0, 0);  // of undo and redo, without the step
+  text.remove(QLatin1Char('&'));
+  while (text.endsWith(QLatin1Char('.'))) text.chop(1);
+  return text;
+}
+
+QString column(const QString& heading, const QString& rows) {
+  return QStringLiteral("<td style=\"padding-right: 22px\"><b>%1</b><table>%2</table></td>").arg(heading, rows);
+}
+
+}  // namespace
 
 CheatSheet::CheatSheet(QWidget* parent, const Actions& actions) : QDialog(parent) {
   setWindowTitle(tr("Keys and mouse"));
-  resize(860, 680);
   const auto row = [](const QString& key, const QString& meaning) {
     return QStringLiteral("<tr><td style=\"padding: 1px 14px 1px 0\"><b>%1</b></td><td>%2</td></tr>")
         .arg(key.toHtmlEscaped(), meaning.toHtmlEscaped());
@@ -31,23 +47,42 @@ CheatSheet::CheatSheet(QWidget* parent, const Actions& actions) : QDialog(parent
   mouse += row(tr("Hold Alt"), tr("Suspend snapping"));
   mouse += row(tr("Hold B"), tr("Blink the preview"));
   mouse += row(tr("Space in the table"), tr("Use the anchor or not"));
-  QString keys;
+  QStringList keys;
   for (const QAction* action : actions.all()) {
     if (action->shortcut().isEmpty()) continue;
     QStringList all;
     for (const QKeySequence& key : action->shortcuts()) all += key.toString(QKeySequence::NativeText);
-    const QString tip = action->toolTip().section(QStringLiteral(" ("), 0, 0);
-    keys += row(all.join(QStringLiteral(", ")), tip);
+    keys += row(all.join(QStringLiteral(", ")), plainText(*action));
   }
-  auto* page = new QTextBrowser(this);
-  page->setHtml(QStringLiteral("<table width=\"100%\"><tr><td valign=\"top\" width=\"48%\"><h3>%1</h3><table>%2</table>"
-                               "</td><td valign=\"top\"><h3>%3</h3><table>%4</table></td></tr></table>")
-                    .arg(tr("In the views"), mouse, tr("Keys"), keys));
+  // Two columns of keys, so that a small screen holds the page.
+  const auto half = (keys.size() + 1) / 2;
+  auto* page =
+      new QLabel(QStringLiteral("<table><tr>%1%2%3</tr></table>")
+                     .arg(column(tr("In the views"), mouse), column(tr("Keys"), keys.mid(0, half).join(QString())),
+                          column(QStringLiteral("&nbsp;"), keys.mid(half).join(QString()))),
+                 this);
+  page->setTextFormat(Qt::RichText);
+  page->setWordWrap(true);
+  page->setMargin(6);
+  page->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
+  page->setAccessibleName(windowTitle());
+  page->setMinimumWidth(fontMetrics().averageCharWidth() * 175);
+  auto* area = new QScrollArea(this);
+  area->setWidget(page);
+  area->setWidgetResizable(true);
+  area->setFrameShape(QFrame::NoFrame);
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
   auto* layout = new QVBoxLayout(this);
-  layout->addWidget(page);
+  layout->addWidget(area);
   layout->addWidget(buttons);
+  const QSize frame(layout->contentsMargins().left() + layout->contentsMargins().right() + 2,
+                    layout->contentsMargins().top() + layout->contentsMargins().bottom() + layout->spacing() +
+                        buttons->sizeHint().height() + 2);
+  const int width = page->minimumWidth();
+  const QSize whole = QSize(width, page->heightForWidth(width) + fontMetrics().height()) + frame;
+  // Never larger than the screen; it scrolls there.
+  resize(screen() ? whole.boundedTo(screen()->availableSize() * 0.95) : whole);
 }
 
 }  // namespace cad2slam

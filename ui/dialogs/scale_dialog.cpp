@@ -52,7 +52,7 @@ ScaleDialog::ScaleDialog(QWidget* parent, const std::filesystem::path& image, Si
 
   resolution_ = new QLineEdit(this);
   resolution_->setObjectName(QStringLiteral("resolution"));
-  resolution_->setPlaceholderText(numberText(0.05, 2));
+  resolution_->setPlaceholderText(tr("for example %1").arg(numberText(0.05, 2)));
   length_ = new QLineEdit(this);
   length_->setObjectName(QStringLiteral("length"));
   measured_ = new QLabel(this);
@@ -121,6 +121,7 @@ void ScaleDialog::refresh() {
   resolution_->setEnabled(ends_px_.size() != 2);
   const std::optional<double> scale = metresPerPixel();
   ok_->setEnabled(scale.has_value());
+  view_->setScaleBarUnit(scale.value_or(0.0));
   const QSize size = picture_->size();
   extent_->setText(scale && !size.isEmpty() ? tr("%1 m x %2 m at %3 m for each pixel")
                                                   .arg(numberText(size.width() * *scale, 1))

@@ -89,6 +89,18 @@ QWidget* SettingsDialog::solverPage() {
   model_->addItem(tr("Stretch: bends and stretches (recommended)"));
   model_->addItem(tr("Rigid: bends only, as in the paper"));
   form->addRow(tr("&Model:"), model_);
+  stiffness_ = new QComboBox(this);
+  stiffness_->setObjectName(QStringLiteral("stiffness"));
+  const auto add = [&](const QString& text, Stiffness stiffness) {
+    stiffness_->addItem(text, static_cast<int>(stiffness));
+  };
+  add(tr("Automatic: what predicts the anchors best (recommended)"), Stiffness::kAutomatic);
+  add(tr("Balanced"), Stiffness::kBalanced);
+  add(tr("Smooth: halls that bend as a whole"), Stiffness::kSmooth);
+  add(tr("Local: corridors that drifted each by themselves"), Stiffness::kLocal);
+  add(tr("The numbers below"), Stiffness::kGiven);
+  form->addRow(tr("S&tiffness:"), stiffness_);
+  connect(stiffness_, &QComboBox::activated, this, &SettingsDialog::showStiffness);
   scale_rule_ = new QComboBox(this);
   scale_rule_->addItem(tr("The plan is to scale"));
   scale_rule_->addItem(tr("Unknown: find it from the anchors"));
@@ -149,6 +161,7 @@ QWidget* SettingsDialog::appearancePage() {
 
 void SettingsDialog::fill(const SolverSettings& solver) {
   model_->setCurrentIndex(solver.model == Model::kStretch ? 0 : 1);
+  stiffness_->setCurrentIndex(stiffness_->findData(static_cast<int>(solver.stiffness)));
   scale_rule_->setCurrentIndex(static_cast<int>(solver.scale.rule));
   fixed_scale_->setText(shortText(solver.scale.fixed_scale));
   anchor_information_->setText(shortText(solver.anchor_information));
@@ -160,10 +173,26 @@ void SettingsDialog::fill(const SolverSettings& solver) {
   prior_->setText(shortText(solver.prior_strength));
 }
 
+Stiffness SettingsDialog::stiffness() const {
+  return static_cast<Stiffness>(stiffness_->currentData().toInt());
+}
+
+void SettingsDialog::showStiffness() {
+  // The numbers a name stands for, to look at or to begin with.
+  const SolverSettings named = withStiffness(settings().solver, stiffness());
+  lambda_x_->setText(shortText(named.lambda_x));
+  lambda_y_->setText(shortText(named.lambda_y));
+  lambda_theta_->setText(optionalText(named.lambda_theta));
+  lambda_stretch_->setText(shortText(named.lambda_stretch));
+  prior_->setText(shortText(named.prior_strength));
+  refresh();
+}
+
 ProjectSettings SettingsDialog::settings() const {
   ProjectSettings result = before_;
   SolverSettings& solver = result.solver;
   solver.model = model_->currentIndex() == 0 ? Model::kStretch : Model::kRigid;
+  solver.stiffness = stiffness();
   solver.scale.rule = static_cast<ScaleRule>(scale_rule_->currentIndex());
   solver.scale.fixed_scale = positive(fixed_scale_).value_or(solver.scale.fixed_scale);
   solver.anchor_information = positive(anchor_information_).value_or(solver.anchor_information);
@@ -189,7 +218,11 @@ void SettingsDialog::refresh() {
   if (!language_ || !ok_) return;
   const bool stretch = model_->currentIndex() == 0;
   fixed_scale_->setEnabled(scale_rule_->currentIndex() == static_cast<int>(ScaleRule::kFixed));
-  lambda_stretch_->setEnabled(stretch);
+  stiffness_->setEnabled(stretch);
+  const bool given = stiffness() == Stiffness::kGiven;
+  lambda_x_->setEnabled(given || !stretch);
+  lambda_y_->setEnabled(given || !stretch);
+  lambda_stretch_->setEnabled(given && stretch);
   prior_->setEnabled(stretch);
   bool good = true;
   for (QLineEdit* field : findChildren<QLineEdit*>()) {

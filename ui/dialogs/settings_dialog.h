@@ -32,9 +32,12 @@ class SettingsDialog : public QDialog {
   QLineEdit* numberField(QFormLayout& form, const QString& label, const QString& tip, const QString& object_name);
   void fill(const SolverSettings& solver);
   void refresh();
+  [[nodiscard]] Stiffness stiffness() const;
+  void showStiffness();
 
   ProjectSettings before_;
   QComboBox* model_;
+  QComboBox* stiffness_;
   QComboBox* scale_rule_;
   QLineEdit* fixed_scale_;
   QLineEdit* cell_size_;

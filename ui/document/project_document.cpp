@@ -33,7 +33,7 @@ ProjectDocument::ProjectDocument(QObject* parent) : QObject(parent) {
 
 ProjectDocument::~ProjectDocument() {
   // A stack with unsaved edits reports itself clean while it goes away; by then the listeners are half gone.
-  undo_stack_.disconnect(this);
+  undo_stack_.disconnect();
 }
 
 const ProjectSlamMap* ProjectDocument::currentMap() const {

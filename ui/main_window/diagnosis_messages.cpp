@@ -123,6 +123,8 @@ Message DiagnosisMessages::messageOf(const Finding& finding) {
     return Cure{tr("Disable %1").arg(id), [&document, id] { edit::setEnabled(document, {id}, false); }};
   };
   const auto percent = [](double ratio) { return numberText(100.0 * std::abs(ratio - 1.0), 1); };
+  // Lengths that are compared are told in the same unit.
+  const auto metres = [](double value_m) { return tr("%1 m").arg(numberText(value_m, 2)); };
   switch (finding.kind) {
     case Kind::kDuplicate: {
       const bool on_map = finding.value != finding.other;  // together in the blueprint, apart on the map
@@ -138,7 +140,7 @@ Message DiagnosisMessages::messageOf(const Finding& finding) {
     case Kind::kMirrored:
       message.severity = Severity::kError;
       message.text = tr("The blueprint looks mirrored: mirrored, the anchors would be off by %1 instead of %2")
-                         .arg(lengthText(finding.other), lengthText(finding.value));
+                         .arg(metres(finding.other), metres(finding.value));
       message.cures = {{tr("Mirror blueprint"), [this] {
                           if (const auto& frame = session_.rasters().frame(Side::kBlueprint))
                             edit::flipBlueprint(session_.document(), *frame);
@@ -149,7 +151,7 @@ Message DiagnosisMessages::messageOf(const Finding& finding) {
       message.text = tr("Anchors %1 and %2 look swapped: exchanged, the error falls from %3 to %4")
                          .arg(first)
                          .arg(second)
-                         .arg(lengthText(finding.value), lengthText(finding.other));
+                         .arg(metres(finding.value), metres(finding.other));
       message.cures = {showCure(finding), {tr("Swap %1 and %2").arg(first).arg(second), [&document, first, second] {
                                              edit::swapCounterparts(document, first, second);
                                            }}};
@@ -168,10 +170,10 @@ Message DiagnosisMessages::messageOf(const Finding& finding) {
       break;
     case Kind::kScale:
       message.severity = std::abs(finding.value - 1.0) > 0.1 ? Severity::kError : Severity::kWarning;
-      message.text =
-          finding.value > 1.0
-              ? tr("The blueprint is %1 % too small for the SLAM map: its scale is wrong").arg(percent(finding.value))
-              : tr("The blueprint is %1 % too large for the SLAM map: its scale is wrong").arg(percent(finding.value));
+      message.text = finding.value > 1.0 ? tr("The blueprint is %1 % too small for the SLAM map: its scale is wrong")
+                                               .arg(percent(1.0 / finding.value))
+                                         : tr("The blueprint is %1 % too large for the SLAM map: its scale is wrong")
+                                               .arg(percent(1.0 / finding.value));
       message.cures = {rescaleCure(finding.value)};
       break;
     case Kind::kLengths: {

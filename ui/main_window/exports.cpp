@@ -14,6 +14,7 @@
 #include <QDateTime>
 #include <QFileDialog>
 #include <QFileInfo>
+#include <QLocale>
 #include <QStandardPaths>
 #include <QTimeZone>
 
@@ -30,6 +31,13 @@ using Verdict = ExportCheck::Verdict;
 
 FrameInfo frameInfo(const std::string& name, const ProjectRaster& raster, const MapFrame& frame) {
   return {name, raster.image_sha256, frame.resolution(), frame.width(), frame.height(), frame.metricFromCorner()};
+}
+
+/// In the words of the system, local time; what is no date is shown as it is.
+QString dateText(const std::string& iso_utc) {
+  if (iso_utc.empty()) return Exports::tr("an unknown date");
+  const QDateTime created = QDateTime::fromString(toQString(iso_utc), Qt::ISODate);
+  return created.isValid() ? QLocale().toString(created.toLocalTime(), QLocale::ShortFormat) : toQString(iso_utc);
 }
 
 /// The largest difference between what was meant and what a robot will compute from the file [m, rad].
@@ -131,8 +139,8 @@ bool Exports::importAnchors(const QString& path) {
     return false;
   }
   const std::size_t count = read->anchors.size();
-  session_.selection().set(
-      edit::addAnchors(session_.document(), std::move(read->anchors), tr("import %n anchor(s)", nullptr, int(count))));
+  edit::addAnchors(session_.document(), std::move(read->anchors), tr("import %n anchor(s)", nullptr, int(count)));
+  session_.selection().clear();  // dozens of selected anchors would hide the maps
   QString text = tr("%n anchor(s) imported", nullptr, int(count));
   if (!read->rejected.empty()) {
     QStringList lines;
@@ -212,11 +220,16 @@ bool Exports::inspectProjector(const QString& path) {
   }
   const ProjectorInfo& info = data->info;
   QString text = tr("%1: made by %2 on %3 from project %4; blueprint to SLAM map \"%5\", %6 nodes, %7 anchors")
-                     .arg(QFileInfo(path).fileName(), toQString(info.creator),
-                          info.created.empty() ? tr("an unknown date") : toQString(info.created),
+                     .arg(QFileInfo(path).fileName(), toQString(info.creator), dateText(info.created),
                           info.project.empty() ? tr("(not saved)") : toQString(info.project), toQString(info.slam.name))
                      .arg(data->node_slam.size())
                      .arg(data->anchors.size());
+  const auto hash = [](const FrameInfo& frame) {
+    constexpr int kShown = 12;  // enough to compare by eye
+    return frame.image_sha256.empty() ? tr("not known") : toQString(frame.image_sha256).left(kShown);
+  };
+  text += QStringLiteral(". ") +
+          tr("SHA-256 of the images: blueprint %1, SLAM map %2").arg(hash(info.blueprint), hash(info.slam));
   if (!info.note.empty()) text += QStringLiteral(". ") + tr("Exported in spite of: %1").arg(toQString(info.note));
   const auto differs = [](const FrameInfo& frame, const ProjectRaster& raster) {
     return !frame.image_sha256.empty() && !raster.image_sha256.empty() && frame.image_sha256 != raster.image_sha256;

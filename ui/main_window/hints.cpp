@@ -29,9 +29,10 @@ QString hintOf(Session& session) {
     if (session.flow().prediction())
       return in_blueprint
                  ? Text::tr(
-                       "Click the same place in the SLAM map, or press Enter to take the dashed ring (Esc cancels)")
+                       "Click the same place in the SLAM map, or press Enter to take the predicted place (Esc cancels)")
                  : Text::tr(
-                       "Click the same place in the blueprint, or press Enter to take the dashed ring (Esc cancels)");
+                       "Click the same place in the blueprint, or press Enter to take the predicted place (Esc "
+                       "cancels)");
     return in_blueprint ? Text::tr("Now click the same place in the SLAM map (Esc cancels)")
                         : Text::tr("Now click the same place in the blueprint (Esc cancels)");
   }
@@ -53,6 +54,9 @@ ChipState chipOf(Session& session) {
     case AlignmentStatus::kSolving:
       return {Text::tr("solving..."), ChipLook::kBusy, Text::tr("Click to stop (Ctrl+.)")};
     case AlignmentStatus::kUpToDate: {
+      if (alignment.areOthersBusy())
+        return {Text::tr("solving the others..."), ChipLook::kBusy,
+                Text::tr("The other SLAM maps are solved for the preview; click to stop (Ctrl+.)")};
       const SolveResult& result = *alignment.result();
       return {Text::tr("up to date, %1 s").arg(numberText(result.seconds, 2)), ChipLook::kGood,
               Text::tr("%1 nodes, %2 iterations").arg(result.mesh->nodeCount()).arg(result.solution.iterations)};

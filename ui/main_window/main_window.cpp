@@ -80,6 +80,7 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent), actions_(new Acti
   restoreState(settings.value(QStringLiteral("window_state")).toByteArray());
   refreshTitle();
   refreshMapChoice();
+  refreshDropZones();
   refreshStatus();
 }
 
@@ -100,11 +101,9 @@ void MainWindow::layOut() {
   blueprint_view_ = new MapView;
   blueprint_view_->setObjectName(QStringLiteral("blueprintView"));
   blueprint_view_->setAccessibleName(tr("Blueprint"));
-  blueprint_view_->setEmptyText(tr("Drop the blueprint here:\na map YAML, PNG, JPG, PGM or TIFF"));
   slam_view_ = new MapView;
   slam_view_->setObjectName(QStringLiteral("slamView"));
   slam_view_->setAccessibleName(tr("SLAM map"));
-  slam_view_->setEmptyText(tr("Drop the SLAM map here:\na map YAML, PGM, PNG or TIFF"));
   map_choice_ = new QComboBox;
   map_choice_->setObjectName(QStringLiteral("mapChoice"));
   map_choice_->setAccessibleName(tr("SLAM map being edited"));
@@ -190,7 +189,28 @@ void MainWindow::connectFileActions() {
   });
   on(kRemoveSlamMap, [this] { edit::removeSlamMap(session_.document(), session_.document().currentMapName()); });
   files_->setBeforeSave([this] { storeViewState(); });
-  connect(views_, &ViewPair::filesDropped, files_, &ProjectFiles::takeDropped);
+  connect(views_, &ViewPair::filesDropped, this, [this](Side side, QStringList paths) {
+    // Whatever belongs to a site can be dropped anywhere.
+    for (auto path = paths.begin(); path != paths.end();) {
+      const bool anchors = path->endsWith(QStringLiteral(".csv"), Qt::CaseInsensitive) ||
+                           path->endsWith(QStringLiteral(".data"), Qt::CaseInsensitive);
+      const bool projector = path->endsWith(QStringLiteral(".c2s"), Qt::CaseInsensitive);
+      if (anchors) exports_->importAnchors(*path);
+      if (projector) exports_->inspectProjector(*path);
+      path = anchors || projector ? paths.erase(path) : path + 1;
+    }
+    files_->takeDropped(side, paths);
+  });
+  for (const Side side : {Side::kBlueprint, Side::kSlam})
+    connect(
+        &view(side), &MapView::chooseRequested, this,
+        [this, side] {
+          // A map whose image is still loading, or missing, has been chosen already.
+          const ProjectDocument& document = session_.document();
+          const bool chosen = side == Side::kBlueprint ? document.hasBlueprint() : document.currentMap() != nullptr;
+          if (!chosen) files_->askImage(side);
+        },
+        Qt::QueuedConnection);
   connect(files_, &ProjectFiles::savedOrOpened, this, &MainWindow::refreshTitle);
 }
 
@@ -219,7 +239,8 @@ void MainWindow::connectViewActions() {
   on(kSolveAgain, [this] { session_.alignment().solveNow(); });
   on(kCancelSolve, [this] { session_.alignment().cancel(); });
   connect(status_->chip(), &QToolButton::clicked, this, [this] {
-    const bool busy = session_.alignment().status() == AlignmentStatus::kSolving;
+    const Alignment& alignment = session_.alignment();
+    const bool busy = alignment.status() == AlignmentStatus::kSolving || alignment.areOthersBusy();
     busy ? session_.alignment().cancel() : session_.alignment().solveNow();
   });
 
@@ -263,6 +284,7 @@ void MainWindow::connectSession() {
     if (event.what & Change::kEverything) views_restored_ = false;
     if (event.what & (Change::kEverything | Change::kSlamMaps | Change::kCurrentMap)) refreshMapChoice();
     refreshTitle();
+    refreshDropZones();
     refreshActions();
     refreshStatus();
     refreshTable();
@@ -271,6 +293,7 @@ void MainWindow::connectSession() {
     refreshTable();
     refreshStatus();
   });
+  connect(&session_.alignment(), &Alignment::othersChanged, this, &MainWindow::refreshStatus);
   connect(&session_.alignment(), &Alignment::statusChanged, this, [this] {
     refreshTable();
     refreshStatus();
@@ -286,6 +309,7 @@ void MainWindow::connectSession() {
   });
   connect(&session_.rasters(), &RasterStore::changed, this, [this] {
     if (session_.isReady() && !views_restored_) restoreViewState();
+    refreshDropZones();
     refreshActions();
     refreshStatus();
   });
@@ -340,7 +364,8 @@ void MainWindow::refreshStatus() {
   const ChipState chip = chipOf(session_);
   status_->setChip(chip.text, chip.look);
   status_->chip()->setToolTip(chip.tooltip);
-  (*actions_)[kCancelSolve]->setEnabled(session_.alignment().status() == AlignmentStatus::kSolving);
+  (*actions_)[kCancelSolve]->setEnabled(session_.alignment().status() == AlignmentStatus::kSolving ||
+                                        session_.alignment().areOthersBusy());
   for (const ActionId id : {kLink, kOtherFollows, kFollowOther})
     (*actions_)[id]->setEnabled(session_.alignment().result() != nullptr);
 }
@@ -357,6 +382,19 @@ void MainWindow::refreshMapChoice() {
   for (const ProjectSlamMap& map : session_.document().project().slam_maps) map_choice_->addItem(toQString(map.name));
   map_choice_->setCurrentText(toQString(session_.document().currentMapName()));
   map_choice_->setVisible(map_choice_->count() > 0);
+}
+
+void MainWindow::refreshDropZones() {
+  const ProjectDocument& document = session_.document();
+  const auto text = [&](bool chosen, const QString& invitation) {
+    if (!chosen) return invitation;
+    return session_.rasters().isLoading() ? tr("Loading...") : tr("This image cannot be shown: see the message above");
+  };
+  blueprint_view_->setEmptyText(
+      text(document.hasBlueprint(),
+           tr("Drop the blueprint here, or click to choose it:\na map YAML, PNG, JPG, PGM or TIFF")));
+  slam_view_->setEmptyText(text(document.currentMap() != nullptr,
+                                tr("Drop the SLAM map here, or click to choose it:\na map YAML, PGM, PNG or TIFF")));
 }
 
 void MainWindow::showReadout(Side side, const QPointF& point_m, const QPointF& image_px) {

@@ -63,6 +63,7 @@ class MainWindow : public QMainWindow {
   void refreshTitle();
   void refreshActions();
   void refreshStatus();
+  void refreshDropZones();
   void refreshTable();
   void refreshMapChoice();
   void showReadout(Side side, const QPointF& point_m, const QPointF& image_px);

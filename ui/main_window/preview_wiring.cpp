@@ -22,6 +22,12 @@ const QColor kGreyInk(0x55, 0x5a, 0x60);
 const std::array<QColor, 6> kMapInks{QColor(0xe0, 0x00, 0x84), QColor(0x00, 0x9a, 0x44), QColor(0x1f, 0x5f, 0xd8),
                                      QColor(0xd9, 0x7a, 0x00), QColor(0x6a, 0x2f, 0xb5), QColor(0x00, 0x95, 0xa8)};
 
+bool isSameRaster(const MapMetadata& a, const MapMetadata& b) {
+  return a.image == b.image && a.mirrored == b.mirrored && a.resolution_m_per_px == b.resolution_m_per_px &&
+         a.metric_from_corner.translation == b.metric_from_corner.translation &&
+         a.metric_from_corner.heading == b.metric_from_corner.heading;
+}
+
 }  // namespace
 
 PreviewWiring::PreviewWiring(Session& session, PreviewPanel& panel, QObject* parent)
@@ -39,6 +45,9 @@ PreviewWiring::PreviewWiring(Session& session, PreviewPanel& panel, QObject* par
     panel_.view().setReason(reason());
     panel_.view().setNotCurrent(notCurrent());
   });
+  connect(&session_.alignment(), &Alignment::othersChanged, this, [this] {
+    if (panel_.mode() == PreviewMode::kAllMaps && panel_.view().isVisible()) refresh();
+  });
   connect(&session_.rasters(), &RasterStore::changed, this, &PreviewWiring::refresh);
   connect(&session_, &Session::judged, this, &PreviewWiring::refreshOverlays);
   connect(&session_.selection(), &AnchorSelection::changed, this, &PreviewWiring::refreshOverlays);
@@ -47,6 +56,7 @@ PreviewWiring::PreviewWiring(Session& session, PreviewPanel& panel, QObject* par
 bool PreviewWiring::eventFilter(QObject* watched, QEvent* event) {
   if (event->type() == QEvent::Show && stale_)
     QMetaObject::invokeMethod(this, &PreviewWiring::refresh, Qt::QueuedConnection);
+  if (event->type() == QEvent::Hide) session_.alignment().setOthersWanted(false);
   return QObject::eventFilter(watched, event);
 }
 
@@ -59,7 +69,13 @@ void PreviewWiring::onTilesChanged() {
   if (panel_.view().isVisible()) refresh();
 }
 
+bool PreviewWiring::hasOtherResults() const {
+  return panel_.mode() == PreviewMode::kAllMaps && session_.rasters().frame(Side::kBlueprint) &&
+         !session_.alignment().results().empty();
+}
+
 QString PreviewWiring::reason() const {
+  if (hasOtherResults()) return {};
   if (!session_.isReady()) return tr("Load a blueprint and a SLAM map first");
   if (session_.alignment().result()) return {};
   switch (session_.alignment().status()) {
@@ -96,19 +112,53 @@ void PreviewWiring::showBase() {
   if (picture) view.fit();
 }
 
-void PreviewWiring::addOtherMaps(PreviewScene& scene, std::vector<InkEntry>& inks) {
-  std::size_t number = 1;
+QString PreviewWiring::nameInLegend(const std::string& map) const {
+  const Alignment& alignment = session_.alignment();
+  const bool current = map == session_.document().currentMapName();
+  const QString name = toQString(map);
+  switch (current ? alignment.status() : alignment.otherStatus(map)) {
+    case AlignmentStatus::kNoAnchors:
+      return tr("%1 (no anchors)").arg(name);
+    case AlignmentStatus::kSolving:
+      // While one edits, the current one is solved all the time.
+      return current && alignment.result() ? name : tr("%1 (solving...)").arg(name);
+    case AlignmentStatus::kFailed:
+      return tr("%1 (cannot be solved)").arg(name);
+    case AlignmentStatus::kCancelled:
+      return tr("%1 (stopped)").arg(name);
+    default:
+      return name;
+  }
+}
+
+PreviewWiring::OtherMap& PreviewWiring::otherMap(const MapMetadata& metadata) {
+  OtherMap& other = other_maps_[metadata.image.string()];
+  if (!other.picture || !isSameRaster(other.metadata, metadata)) {
+    other.metadata = metadata;
+    const Result<MapFrame> frame = readMapFrame(metadata);
+    other.frame = frame ? std::optional(*frame) : std::nullopt;
+    other.picture = TilePyramid::load(metadata.image, metadata.mirrored);
+    follow(other.picture);
+  }
+  return other;
+}
+
+void PreviewWiring::addAllMaps(PreviewScene& scene, std::vector<InkEntry>& inks) {
+  std::size_t number = 0;  // an ink stays with its map, whichever maps are solved
   for (const ProjectSlamMap& map : session_.document().project().slam_maps) {
-    const auto result = session_.alignment().results().find(map.name);
-    if (map.name == session_.document().currentMapName() || result == session_.alignment().results().end()) continue;
-    const Result<MapFrame> frame = readMapFrame(map.raster.metadata);
-    if (!frame) continue;
-    std::shared_ptr<TilePyramid>& picture = other_pictures_[map.raster.metadata.image.string()];
-    if (!picture) picture = TilePyramid::load(map.raster.metadata.image, map.raster.metadata.mirrored);
-    follow(picture);
     const QColor ink = kMapInks[number++ % kMapInks.size()];
-    scene.layers.push_back({{picture->store(), *frame}, result->second->projector, ink});
-    inks.push_back({ink, toQString(map.name)});
+    inks.push_back({ink, nameInLegend(map.name)});
+    const auto result = session_.alignment().results().find(map.name);
+    if (result == session_.alignment().results().end()) continue;
+    if (map.name == session_.document().currentMapName()) {
+      if (session_.isReady())
+        scene.layers.push_back(
+            {{session_.rasters().picture(Side::kSlam)->store(), session_.rasters().frame(Side::kSlam)},
+             result->second->projector,
+             ink});
+    } else if (const OtherMap& other = otherMap(map.raster.metadata); other.frame) {
+      scene.layers.push_back({{other.picture->store(), other.frame}, result->second->projector, ink});
+    }
   }
 }
 
@@ -116,39 +166,41 @@ void PreviewWiring::refresh() {
   PreviewView& view = panel_.view();
   stale_ = !view.isVisible();
   if (stale_) return;
+  const bool all = panel_.mode() == PreviewMode::kAllMaps;
+  session_.alignment().setOthersWanted(all);
+  if (!all) other_maps_.clear();
   showBase();
   view.setReason(reason());
   view.setNotCurrent(notCurrent());
+  const Side below = baseSide();
+  const Side above = otherSide(below);
+  for (const Side side : {below, above}) follow(session_.rasters().picture(side));
+  const QString blueprint_name = tr("Blueprint");
+  const QString slam_name = toQString(session_.document().currentMapName());
+  const auto inkOf = [](Side side) { return side == Side::kBlueprint ? kBlueprintInk : kSlamInk; };
+  const auto nameOf = [&](Side side) { return side == Side::kBlueprint ? blueprint_name : slam_name; };
+  auto scene = std::make_shared<PreviewScene>();
+  scene->direction = below == Side::kBlueprint ? WarpDirection::kToBlueprint : WarpDirection::kToSlam;
+  scene->base_ink = all ? kGreyInk : inkOf(below);
+  std::vector<InkEntry> inks{{scene->base_ink, nameOf(below)}};
   const SolveResultPtr& result = session_.alignment().result();
-  if (!result || !session_.isReady()) {
+  if (all) {
+    addAllMaps(*scene, inks);
+  } else {
+    inks.push_back({inkOf(above), nameOf(above)});
+    if (result && session_.isReady())
+      scene->layers.push_back({{session_.rasters().picture(above)->store(), session_.rasters().frame(above)},
+                               result->projector,
+                               inkOf(above)});
+  }
+  view.setInks(std::move(inks));
+  if (scene->layers.empty() || !session_.rasters().frame(below)) {
     service_.setScene(nullptr);
     view.clearPicture();
     refreshOverlays();
     return;
   }
-
-  const Side below = baseSide();
-  const Side above = otherSide(below);
-  const bool all = panel_.mode() == PreviewMode::kAllMaps;
-  const QString blueprint_name = tr("Blueprint");
-  const QString slam_name = toQString(session_.document().currentMapName());
-  const auto inkOf = [](Side side) { return side == Side::kBlueprint ? kBlueprintInk : kSlamInk; };
-  auto scene = std::make_shared<PreviewScene>();
-  scene->direction = below == Side::kBlueprint ? WarpDirection::kToBlueprint : WarpDirection::kToSlam;
-  for (const Side side : {below, above}) follow(session_.rasters().picture(side));
   scene->base = {session_.rasters().picture(below)->store(), session_.rasters().frame(below)};
-  scene->base_ink = all ? kGreyInk : inkOf(below);
-  const QColor ink = all ? kMapInks[0] : inkOf(above);
-  scene->layers.push_back(
-      {{session_.rasters().picture(above)->store(), session_.rasters().frame(above)}, result->projector, ink});
-  std::vector<InkEntry> inks{{scene->base_ink, below == Side::kBlueprint ? blueprint_name : slam_name},
-                             {ink, above == Side::kBlueprint ? blueprint_name : slam_name}};
-  if (all) {
-    addOtherMaps(*scene, inks);
-  } else {
-    other_pictures_.clear();
-  }
-  view.setInks(std::move(inks));
   service_.setScene(std::move(scene));
   refreshOverlays();
   askForPicture();

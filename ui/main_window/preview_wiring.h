@@ -11,6 +11,7 @@
 
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 
 namespace cad2slam {
@@ -36,7 +37,15 @@ class PreviewWiring : public QObject {
   void refresh();          // scene, inks, reasons
   void refreshOverlays();  // anchors, mesh, residuals
   void askForPicture();
-  void addOtherMaps(PreviewScene& scene, std::vector<InkEntry>& inks);
+  struct OtherMap {
+    MapMetadata metadata;
+    std::optional<MapFrame> frame;  // empty: its image cannot be read
+    std::shared_ptr<TilePyramid> picture;
+  };
+  [[nodiscard]] OtherMap& otherMap(const MapMetadata& metadata);
+  void addAllMaps(PreviewScene& scene, std::vector<InkEntry>& inks);
+  [[nodiscard]] QString nameInLegend(const std::string& map) const;
+  [[nodiscard]] bool hasOtherResults() const;
   [[nodiscard]] QString reason() const;
   [[nodiscard]] QString notCurrent() const;
   void follow(const std::shared_ptr<TilePyramid>& picture);
@@ -47,7 +56,7 @@ class PreviewWiring : public QObject {
   PreviewService service_;
   bool stale_ = true;
   std::shared_ptr<TilePyramid> base_picture_;
-  std::map<std::string, std::shared_ptr<TilePyramid>> other_pictures_;  // by image file
+  std::map<std::string, OtherMap> other_maps_;  // by image file; SLAM maps that are not being edited
 };
 
 }  // namespace cad2slam

@@ -234,16 +234,39 @@ void ProjectFiles::showProblem(const RasterProblem& problem) {
                                  &window_, tr("Where is %1?").arg(toQString(problem.image.filename())), folder());
                              if (!path.isEmpty()) relocate(problem, path);
                            }});
+  if (!problem.found_sha256.empty())
+    message.cures.push_back({tr("Use this one"), [this, problem] { acceptChanged(problem); }});
   messages_.show(std::move(message));
 }
 
+const ProjectRaster* ProjectFiles::rasterOf(const RasterProblem& problem) const {
+  const Project& project = session_.document().project();
+  if (problem.side == Side::kBlueprint) return &project.blueprint;
+  for (const ProjectSlamMap& map : project.slam_maps)
+    if (map.name == problem.map) return &map.raster;
+  return nullptr;
+}
+
+void ProjectFiles::putRaster(const RasterProblem& problem, const ProjectRaster& raster) {
+  messages_.remove(
+      QStringLiteral("image-%1-%2").arg(problem.side == Side::kBlueprint ? 0 : 1).arg(toQString(problem.map)));
+  problem.side == Side::kBlueprint ? edit::setBlueprint(session_.document(), raster)
+                                   : edit::setSlamRaster(session_.document(), problem.map, raster);
+}
+
+void ProjectFiles::acceptChanged(const RasterProblem& problem) {
+  const ProjectRaster* before = rasterOf(problem);
+  if (!before) return;
+  ProjectRaster raster = *before;
+  raster.image_bytes = problem.found_bytes;
+  raster.image_sha256 = problem.found_sha256;
+  putRaster(problem, raster);
+}
+
 bool ProjectFiles::relocate(const RasterProblem& problem, const QString& path) {
-  ProjectDocument& document = session_.document();
-  const ProjectSlamMap* map = nullptr;
-  for (const ProjectSlamMap& each : document.project().slam_maps)
-    if (each.name == problem.map) map = &each;
-  if (problem.side == Side::kSlam && !map) return false;
-  ProjectRaster raster = problem.side == Side::kBlueprint ? document.project().blueprint : map->raster;
+  const ProjectRaster* before = rasterOf(problem);
+  if (!before) return false;
+  ProjectRaster raster = *before;
   const std::filesystem::path file = toPath(QFileInfo(path).absoluteFilePath());
   if (isYaml(path)) {
     Result<MapMetadata> read = readMapMetadata(file);
@@ -256,10 +279,7 @@ bool ProjectFiles::relocate(const RasterProblem& problem, const QString& path) {
     raster.metadata.image = file;
   }
   messages_.remove(QStringLiteral("relocate"));
-  messages_.remove(
-      QStringLiteral("image-%1-%2").arg(problem.side == Side::kBlueprint ? 0 : 1).arg(toQString(problem.map)));
-  problem.side == Side::kBlueprint ? edit::setBlueprint(document, raster)
-                                   : edit::setSlamRaster(document, problem.map, raster);
+  putRaster(problem, raster);
   return true;
 }
 

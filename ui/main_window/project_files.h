@@ -32,6 +32,8 @@ class ProjectFiles : public QObject {
   bool saveProjectTo(const QString& path);
   /// A map YAML or a bare image. For an image the scale is asked for, unless `resolution_m_per_px` gives it.
   bool setImage(Side side, const QString& path, std::optional<double> resolution_m_per_px = std::nullopt);
+  /// The image as it is now becomes that of the project; the next opening finds nothing wrong with it.
+  void acceptChanged(const RasterProblem& problem);
   bool relocate(const RasterProblem& problem, const QString& path);
 
   void askNew();
@@ -47,6 +49,8 @@ class ProjectFiles : public QObject {
   void savedOrOpened();
 
  private:
+  [[nodiscard]] const ProjectRaster* rasterOf(const RasterProblem& problem) const;
+  void putRaster(const RasterProblem& problem, const ProjectRaster& raster);
   void remember(const QString& path);
   void fillRecentMenu();
   void showProblem(const RasterProblem& problem);

@@ -22,6 +22,7 @@ namespace {
 
 constexpr int kDotsPerInch = 150;
 constexpr int kMarginMm = 14;
+constexpr int kPictureWidth = 530;  // of the page between its margins and those that printing a document adds
 
 struct Text {
   Q_DECLARE_TR_FUNCTIONS(Report)
@@ -98,14 +99,17 @@ QString reportHtml(Session& session, const ReportExtras& extras) {
     html += QStringLiteral("</ul>");
   }
   for (std::size_t i = 0; i < extras.pictures.size(); ++i)
-    html += QStringLiteral("<h2>%1</h2><img src=\"picture%2\" width=\"660\">")
+    html += QStringLiteral("<h2>%1</h2><img src=\"picture%2\" width=\"%3\">")
                 .arg(extras.pictures[i].caption.toHtmlEscaped())
-                .arg(i);
+                .arg(i)
+                .arg(kPictureWidth);
 
   html += QStringLiteral("<h2>%1</h2><table cellpadding=\"2\" width=\"100%\">").arg(Text::tr("Anchors"));
+  html += QStringLiteral("<thead>");  // again on every page
   html += row({Text::tr("#"), Text::tr("Name"), Text::tr("Blueprint x, y (m)"), Text::tr("SLAM map x, y (m)"),
                Text::tr("Residual"), Text::tr("Without it"), Text::tr("Verdict"), Text::tr("Note")},
-              "th");
+              "th") +
+          QStringLiteral("</thead>");
   const auto place = [](const Eigen::Vector2d& point) {
     return metresText(point.x()) + QStringLiteral("; ") + metresText(point.y());
   };

@@ -72,7 +72,7 @@ QString Tour::textOfStep(int step) const {
       return tr("That is an anchor. Make a second one far away from it");
     case 3:
       return tr(
-          "From now on the other half is predicted: after the first click a dashed ring shows it. Enter takes it, "
+          "From now on the other half is predicted: after the first click a blue mark shows it. Enter takes it, "
           "a click elsewhere corrects it. Make four anchors");
     case 4:
       return tr(

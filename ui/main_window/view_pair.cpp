@@ -217,9 +217,10 @@ void ViewPair::refreshPending() {
       continue;
     }
     const QPointF expected = *session_.flow().prediction();
-    const double guess =
+    // What the anchors were off by when they were predicted themselves; the model alone thinks too well of itself.
+    const double seen =
         session_.summary().median_leave_one_out_m.value_or(session_.summary().max_residual_m.value_or(0.0));
-    v.setGhost(Ghost{expected, ghost_radius_m_.value_or(kRingSigmas * guess),
+    v.setGhost(Ghost{expected, std::max(ghost_radius_m_.value_or(0.0), kRingSigmas * seen),
                      tr("%1? Enter accepts").arg(session_.document().nextId())});
     // Once for each half, and never the zoom: the installer's view is theirs.
     if (!ghost_shown_ && !v.isInView(expected)) v.centerOn(expected, true);

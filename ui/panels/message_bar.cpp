@@ -104,7 +104,9 @@ QWidget* MessageBar::rowOf(const Message& message) {
   auto* text = new QLabel(message.text, row);
   text->setWordWrap(true);
   text->setTextInteractionFlags(Qt::TextSelectableByMouse);
-  text->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
+  QSizePolicy policy(QSizePolicy::Expanding, QSizePolicy::Preferred);
+  policy.setHeightForWidth(true);  // or a second line is cut
+  text->setSizePolicy(policy);
   layout->addWidget(text, 1);
   for (const Cure& cure : message.cures) {
     auto* button = new QPushButton(cure.label, row);

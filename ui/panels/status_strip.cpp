@@ -28,6 +28,7 @@ StatusStrip::StatusStrip(QStatusBar& bar) : hint_(new QLabel), readout_(new QLab
 
 void StatusStrip::setHint(const QString& hint) {
   if (hint_->text() != hint) hint_->setText(hint);
+  hint_->setToolTip(hint);  // where the window is too narrow for it
 }
 
 void StatusStrip::setReadout(const QString& readout) {

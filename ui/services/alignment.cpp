@@ -6,6 +6,21 @@
 #include <utility>
 
 namespace cad2slam {
+namespace {
+
+bool isSameQuestion(const SolveRequest& a, const SolveRequest& b) {
+  return a.anchors == b.anchors && a.settings == b.settings && a.cell_size_m == b.cell_size_m &&
+         a.blueprint == b.blueprint;
+}
+bool answers(const SolveResult& result, const SolveRequest& request) {
+  return result.quality == Quality::kFull && result.anchors == request.anchors && result.settings == request.settings &&
+         result.cell_size_m == request.cell_size_m;
+}
+bool hasEnabled(const AnchorList& anchors) {
+  return std::any_of(anchors.begin(), anchors.end(), [](const Anchor& anchor) { return anchor.enabled; });
+}
+
+}  // namespace
 
 Alignment::Alignment(ProjectDocument& document, QObject* parent) : QObject(parent), document_(document) {
   connect(&document_, &ProjectDocument::changed, this, &Alignment::onChanged);
@@ -23,6 +38,17 @@ Alignment::Alignment(ProjectDocument& document, QObject* parent) : QObject(paren
     error_ = failure.error;
     setStatus(failure.error.code == ErrorCode::kCancelled ? AlignmentStatus::kCancelled : AlignmentStatus::kFailed);
   });
+  connect(&service_, &SolveService::solvedAside, this, [this](const SolveResultPtr& result) {
+    const auto other = others_.find(result->map);
+    if (other == others_.end() || !answers(*result, other->second.asked)) return;
+    results_[result->map] = result;
+    finishOther(result->map, AlignmentStatus::kUpToDate);
+  });
+  connect(&service_, &SolveService::failedAside, this, [this](const SolveFailure& failure) {
+    const auto other = others_.find(failure.map);
+    if (other == others_.end() || other->second.asked.revision != failure.revision) return;
+    finishOther(failure.map, AlignmentStatus::kFailed);
+  });
 }
 
 bool Alignment::isCurrent() const {
@@ -34,6 +60,7 @@ void Alignment::setImages(std::shared_ptr<const OccupancyGrid> blueprint, std::o
   blueprint_ = std::move(blueprint);
   slam_frame_ = std::move(slam_frame);
   ask(Quality::kFull);
+  askOthers();
 }
 
 void Alignment::onChanged(const ChangeEvent& event) {
@@ -52,6 +79,8 @@ void Alignment::onChanged(const ChangeEvent& event) {
       return std::none_of(maps.begin(), maps.end(), [&](const auto& map) { return map.name == entry.first; });
     });
   if (event.needsSolve()) ask(event.interim ? Quality::kPreview : Quality::kFull);
+  // A drag changes the current SLAM map alone.
+  if (!event.interim && (event.needsSolve() || event.what & Change::kSlamMaps)) askOthers();
 }
 
 void Alignment::ask(Quality quality) {
@@ -61,23 +90,90 @@ void Alignment::ask(Quality quality) {
     setStatus(AlignmentStatus::kNotReady);
     return;
   }
-  const AnchorList& anchors = document_.anchors();
-  if (std::none_of(anchors.begin(), anchors.end(), [](const Anchor& anchor) { return anchor.enabled; })) {
+  if (!hasEnabled(document_.anchors())) {
     service_.cancel();
     setStatus(AlignmentStatus::kNoAnchors);
     setResult(nullptr);
     return;
   }
   setStatus(AlignmentStatus::kSolving);
-  service_.request({document_.revision(), document_.currentMapName(), blueprint_, slam_frame_, anchors,
-                    document_.project().settings, document_.project().cell_size_m, quality});
+  service_.request(requestFor(*document_.currentMap(), quality));
+}
+
+SolveRequest Alignment::requestFor(const ProjectSlamMap& map, Quality quality) const {
+  return {document_.revision(),
+          map.name,
+          blueprint_,
+          map.name == document_.currentMapName() ? slam_frame_ : std::nullopt,
+          map.anchors,
+          document_.project().settings,
+          document_.project().cell_size_m,
+          quality};
+}
+
+void Alignment::askOthers() {
+  std::map<std::string, Other> before = std::exchange(others_, {});
+  if (!others_wanted_ || !blueprint_) {
+    service_.cancelAside();
+    if (!before.empty()) emit othersChanged();
+    return;
+  }
+  for (const ProjectSlamMap& map : document_.project().slam_maps) {
+    if (map.name == document_.currentMapName()) continue;
+    Other& other = others_[map.name];
+    other.asked = requestFor(map, Quality::kFull);
+    const auto asked = before.find(map.name);
+    const auto known = results_.find(map.name);
+    if (!hasEnabled(map.anchors)) {
+      other.status = AlignmentStatus::kNoAnchors;
+      results_.erase(map.name);
+    } else if (known != results_.end() && answers(*known->second, other.asked)) {
+      other.status = AlignmentStatus::kUpToDate;
+    } else if (asked != before.end() && isSameQuestion(asked->second.asked, other.asked)) {
+      other = asked->second;  // on its way, or there is no answer
+    } else {
+      other.status = AlignmentStatus::kSolving;
+      service_.requestAside(other.asked);
+    }
+  }
+  emit othersChanged();
+}
+
+void Alignment::finishOther(const std::string& map, AlignmentStatus status) {
+  others_[map].status = status;
+  emit othersChanged();
+}
+
+void Alignment::setOthersWanted(bool wanted) {
+  if (wanted == others_wanted_) return;
+  others_wanted_ = wanted;
+  askOthers();
+}
+
+AlignmentStatus Alignment::otherStatus(const std::string& map) const {
+  const auto other = others_.find(map);
+  return other == others_.end() ? AlignmentStatus::kNotReady : other->second.status;
+}
+
+bool Alignment::areOthersBusy() const {
+  return std::any_of(others_.begin(), others_.end(),
+                     [](const auto& entry) { return entry.second.status == AlignmentStatus::kSolving; });
 }
 
 void Alignment::solveNow() {
   ask(Quality::kFull);
+  for (auto& [name, other] : others_)
+    if (other.status != AlignmentStatus::kUpToDate) other = {};
+  askOthers();
 }
 
 void Alignment::cancel() {
+  if (areOthersBusy()) {
+    service_.cancelAside();
+    for (auto& [name, other] : others_)
+      if (other.status == AlignmentStatus::kSolving) other.status = AlignmentStatus::kCancelled;
+    emit othersChanged();
+  }
   if (status_ != AlignmentStatus::kSolving) return;
   service_.cancel();
   setStatus(AlignmentStatus::kCancelled);

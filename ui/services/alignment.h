@@ -43,11 +43,19 @@ class Alignment : public QObject {
   /// Last good results by SLAM map, of this blueprint.
   [[nodiscard]] const std::map<std::string, SolveResultPtr>& results() const { return results_; }
 
+  /// Whether the SLAM maps that are not being edited are to be solved as well, when there is time. Edits of theirs and
+  /// of the settings are followed; what is no longer asked for is dropped.
+  void setOthersWanted(bool wanted);
+  /// How a SLAM map that is not being edited stands; kNotReady while nobody wants it.
+  [[nodiscard]] AlignmentStatus otherStatus(const std::string& map) const;
+  [[nodiscard]] bool areOthersBusy() const;
+
   void solveNow();  ///< again, although nothing changed
-  void cancel();
+  void cancel();    ///< the other SLAM maps as well
   void requestSigma(const QPointF& point_in_blueprint);
 
  signals:
+  void othersChanged();  ///< results or states of SLAM maps that are not being edited
   void resultChanged();
   void statusChanged();
   void progressed(int iteration);
@@ -56,6 +64,13 @@ class Alignment : public QObject {
  private:
   void onChanged(const ChangeEvent& event);
   void ask(Quality quality);
+  struct Other {
+    AlignmentStatus status = AlignmentStatus::kNotReady;
+    SolveRequest asked;
+  };
+  void askOthers();
+  [[nodiscard]] SolveRequest requestFor(const ProjectSlamMap& map, Quality quality) const;
+  void finishOther(const std::string& map, AlignmentStatus status);
   void setStatus(AlignmentStatus status);
   void setResult(SolveResultPtr result);
 
@@ -67,6 +82,8 @@ class Alignment : public QObject {
   SolveResultPtr result_;
   std::map<std::string, SolveResultPtr> results_;
   std::optional<Error> error_;
+  bool others_wanted_ = false;
+  std::map<std::string, Other> others_;  // by SLAM map
 };
 
 }  // namespace cad2slam

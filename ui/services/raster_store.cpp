@@ -106,7 +106,7 @@ void RasterStore::load(Side side, const ProjectRaster& raster, const std::string
         answer.frame = readMapFrame(raster.metadata);
         if (!answer.frame) return failAs(answer.frame);
       }
-      if (raster.image_sha256.empty())
+      if (raster.image_sha256.empty() || answer.state == RasterState::kChanged)
         if (Result<ProjectRaster> described = describeRaster(raster.metadata)) answer.described = *std::move(described);
       return {};
     });
@@ -123,8 +123,13 @@ void RasterStore::take(Side side, int ticket, const ProjectRaster& raster, const
   if (!answer.frame) {
     slot.clear();
     const bool missing = answer.state == RasterState::kMissing || answer.frame.error().code == ErrorCode::kNotFound;
-    emit problem({missing ? RasterProblem::Kind::kMissing : RasterProblem::Kind::kUnreadable, side, map,
-                  raster.metadata.image, toQString(answer.frame.error().sentence())});
+    emit problem({missing ? RasterProblem::Kind::kMissing : RasterProblem::Kind::kUnreadable,
+                  side,
+                  map,
+                  raster.metadata.image,
+                  toQString(answer.frame.error().sentence()),
+                  0,
+                  {}});
     return emit changed(side, true);
   }
   // The document may have been rescaled while the image was being read.
@@ -140,7 +145,8 @@ void RasterStore::take(Side side, int ticket, const ProjectRaster& raster, const
   if (answer.state == RasterState::kChanged)
     emit problem({RasterProblem::Kind::kChanged, side, map, raster.metadata.image,
                   tr("%1 is not the image this project was made with; check that the anchors still fit")
-                      .arg(toQString(raster.metadata.image.filename()))});
+                      .arg(toQString(raster.metadata.image.filename())),
+                  answer.described.image_bytes, answer.described.image_sha256});
   for (const std::string& warning : answer.warnings) emit warned(toQString(warning));
 }
 

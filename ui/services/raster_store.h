@@ -10,6 +10,7 @@
 #include <QObject>
 #include <QThreadPool>
 
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
@@ -24,6 +25,8 @@ struct RasterProblem {
   std::string map;  ///< name of the SLAM map, for Side::kSlam
   std::filesystem::path image;
   QString sentence;
+  std::uintmax_t found_bytes = 0;  ///< with kChanged: what the image is now
+  std::string found_sha256;
 };
 
 /// Loads the images of a document in the background: the picture to draw, the frame, and for the blueprint what is

@@ -16,39 +16,75 @@ namespace cad2slam {
 SolveService::SolveService(QObject* parent) : QObject(parent), worker_(std::make_shared<SolveWorker>()) {
   lane_.setMaxThreadCount(1);
   connect(&watcher_, &QFutureWatcher<Outcome>::finished, this, &SolveService::onFinished);
-  connect(&watcher_, &QFutureWatcher<Outcome>::progressValueChanged, this, &SolveService::progressed);
+  connect(&watcher_, &QFutureWatcher<Outcome>::progressValueChanged, this, [this](int iteration) {
+    if (running_ && !running_->aside) emit progressed(iteration);
+  });
 }
 
 SolveService::~SolveService() {
-  cancel();
   watcher_.disconnect(this);
+  watcher_.cancel();
   watcher_.waitForFinished();
   lane_.waitForDone();
 }
 
 void SolveService::request(SolveRequest request) {
-  if (!running_) return start(std::move(request));
-  if (running_->quality == Quality::kFull) watcher_.cancel();
+  std::erase_if(aside_, [&](const SolveRequest& waiting) { return waiting.map == request.map; });
+  if (!running_) return start(std::move(request), false);
+  if (running_->aside) {
+    stopAside();
+  } else if (running_->request.quality == Quality::kFull) {
+    watcher_.cancel();
+  }
   waiting_ = std::move(request);
 }
 
 void SolveService::cancel() {
   waiting_.reset();
-  if (running_) watcher_.cancel();
+  if (running_ && !running_->aside) watcher_.cancel();
 }
 
-void SolveService::start(SolveRequest request) {
-  running_ = Running{request.quality, request.revision, request.map};
-  emit started(request.quality);
+void SolveService::requestAside(SolveRequest request) {
+  if (running_ && running_->aside && running_->request.map == request.map) watcher_.cancel();
+  std::erase_if(aside_, [&](const SolveRequest& waiting) { return waiting.map == request.map; });
+  aside_.push_back(std::move(request));
+  if (!running_) startNext();
+}
+
+void SolveService::cancelAside() {
+  aside_.clear();
+  if (running_ && running_->aside) watcher_.cancel();
+}
+
+void SolveService::stopAside() {
+  if (!running_ || !running_->aside || watcher_.isCanceled()) return;  // once cancelled, it was replaced or dropped
+  watcher_.cancel();
+  aside_.push_front(running_->request);
+}
+
+void SolveService::startNext() {
+  if (waiting_) {
+    start(*std::exchange(waiting_, std::nullopt), false);
+  } else if (!aside_.empty()) {
+    SolveRequest next = std::move(aside_.front());
+    aside_.pop_front();
+    start(std::move(next), true);
+  }
+}
+
+void SolveService::start(SolveRequest request, bool aside) {
+  running_ = Running{request, aside};
+  if (!aside) emit started(request.quality);
   watcher_.setFuture(
-      QtConcurrent::run(&lane_, [worker = worker_, request = std::move(request)](QPromise<Outcome>& promise) {
+      QtConcurrent::run(&lane_, [worker = worker_, request = std::move(request), aside](QPromise<Outcome>& promise) {
         if (promise.isCanceled()) return;
         promise.setProgressRange(0, request.settings.max_iterations);
         const auto on_iteration = [&promise](const IterationReport& report) {
           promise.setProgressValue(report.iteration);
           return promise.isCanceled() ? NextStep::kStop : NextStep::kContinue;
         };
-        promise.addResult(guarded([&] { return worker->solve(request, on_iteration); }));
+        promise.addResult(guarded(
+            [&] { return aside ? worker->solveAside(request, on_iteration) : worker->solve(request, on_iteration); }));
       }));
 }
 
@@ -56,19 +92,21 @@ void SolveService::onFinished() {
   const Running finished = *std::exchange(running_, std::nullopt);
   const QFuture<Outcome> future = watcher_.future();
   const bool landed = !future.isCanceled() && future.resultCount() == 1;
-  if (waiting_) start(*std::exchange(waiting_, std::nullopt));
+  startNext();
   if (landed) {
     const Outcome outcome = future.result();
     if (outcome) {
-      emit solved(*outcome);
+      finished.aside ? emit solvedAside(*outcome) : emit solved(*outcome);
     } else {
-      emit failed({finished.revision, finished.map, outcome.error()});
+      const SolveFailure failure{finished.request.revision, finished.request.map, outcome.error()};
+      finished.aside ? emit failedAside(failure) : emit failed(failure);
     }
   }
-  if (!running_) emit idle();
+  if (!isBusy()) emit idle();
 }
 
 void SolveService::requestSigma(const std::string& map, const QPointF& point_in_blueprint) {
+  stopAside();  // somebody waits for the answer
   auto* watcher = new QFutureWatcher<double>(this);
   connect(watcher, &QFutureWatcher<double>::finished, this, [this, watcher, point_in_blueprint] {
     watcher->deleteLater();

@@ -9,6 +9,7 @@
 #include <QPointF>
 #include <QThreadPool>
 
+#include <deque>
 #include <memory>
 #include <optional>
 
@@ -19,6 +20,9 @@ class SolveWorker;
 /// Solves in a thread of its own; the newest request wins. A running full solve is cancelled by any newer request; a
 /// running preview is short and may land, so that a drag is never starved. Results come in the order of their
 /// revisions, never an older one after a newer one. All signals are emitted on the thread of this object.
+///
+/// Other SLAM maps can be solved aside: in the same thread, only while nothing else is to be done, one request for
+/// each map. A request stops the one that runs aside, which begins again afterwards.
 class SolveService : public QObject {
   Q_OBJECT
 
@@ -27,9 +31,14 @@ class SolveService : public QObject {
   ~SolveService() override;
 
   void request(SolveRequest request);
-  /// Drops what waits and stops what runs; a result that is already on its way is dropped as well.
+  /// Drops what waits and stops what runs; a result that is already on its way is dropped as well. Leaves what is
+  /// solved aside alone.
   void cancel();
-  [[nodiscard]] bool isBusy() const { return running_.has_value() || waiting_.has_value(); }
+  /// Solves when there is time. Replaces what was asked aside for the same SLAM map.
+  void requestAside(SolveRequest request);
+  /// The same as cancel(), for what is solved aside.
+  void cancelAside();
+  [[nodiscard]] bool isBusy() const { return running_.has_value() || waiting_.has_value() || !aside_.empty(); }
 
   /// Asks how well a place of the blueprint is known; answered by sigmaKnown() after what runs now.
   void requestSigma(const std::string& map, const QPointF& point_in_blueprint);
@@ -39,18 +48,21 @@ class SolveService : public QObject {
   void progressed(int iteration);
   void solved(const cad2slam::SolveResultPtr& result);
   void failed(const cad2slam::SolveFailure& failure);
+  void solvedAside(const cad2slam::SolveResultPtr& result);
+  void failedAside(const cad2slam::SolveFailure& failure);
   void idle();
   void sigmaKnown(const QPointF& point_in_blueprint, double sigma_m);
 
  private:
   using Outcome = Result<SolveResultPtr>;
   struct Running {
-    Quality quality;
-    std::uint64_t revision;
-    std::string map;
+    SolveRequest request;
+    bool aside = false;
   };
 
-  void start(SolveRequest request);
+  void start(SolveRequest request, bool aside);
+  void startNext();
+  void stopAside();
   void onFinished();
 
   std::shared_ptr<SolveWorker> worker_;  // touched by the lane only
@@ -58,6 +70,7 @@ class SolveService : public QObject {
   QFutureWatcher<Outcome> watcher_;
   std::optional<Running> running_;
   std::optional<SolveRequest> waiting_;
+  std::deque<SolveRequest> aside_;  // waiting
 };
 
 }  // namespace cad2slam

@@ -44,8 +44,10 @@ struct SolveResult {
   std::uint64_t revision = 0;
   std::string map;
   Quality quality = Quality::kFull;
+  SolverSettings settings;            ///< as asked, unlike those of the solution
+  std::optional<double> cell_size_m;  ///< as asked
+  AnchorList anchors;                 ///< as they were when asked
   std::shared_ptr<const Mesh> mesh;
-  AnchorList anchors;  ///< as they were when asked
   Solution solution;
   Projector projector;
   std::vector<NodeIndex> folded_nodes;  ///< where the projection turns over

@@ -16,11 +16,30 @@
 namespace cad2slam {
 namespace {
 
+using Clock = std::chrono::steady_clock;
+
 constexpr int kPreviewNodes = 700;      // solves in a few milliseconds, so that a drag feels live
 constexpr std::size_t kBenchCount = 4;  // full and preview of the SLAM map at hand and of the one before
 
 bool sameMesh(const SolveRequest& a, const SolveRequest& b) {
   return a.blueprint == b.blueprint && a.cell_size_m == b.cell_size_m && a.quality == b.quality;
+}
+
+Result<void> check(const SolveRequest& request) {
+  return checkAnchors(request.anchors, {.blueprint = request.blueprint->frame(), .slam = request.slam_frame});
+}
+
+Result<SolveResultPtr> resultOf(const SolveRequest& request, const std::shared_ptr<const Mesh>& mesh, Solution solution,
+                                Clock::time_point begin) {
+  Result<Projector> projector = makeProjector(*mesh, solution);
+  if (!projector) return failAs(projector);
+  std::vector<NodeIndex> folded;
+  for (NodeIndex node = 0; projector->foldedTileCount() > 0 && node < mesh->nodeCount(); ++node)
+    if (projector->jacobian(mesh->centers()[node]).determinant() <= 0.0) folded.push_back(node);
+  const double seconds = std::chrono::duration<double>(Clock::now() - begin).count();
+  return std::make_shared<const SolveResult>(
+      SolveResult{request.revision, request.map, request.quality, request.settings, request.cell_size_m,
+                  request.anchors, mesh, std::move(solution), std::move(*projector), std::move(folded), seconds});
 }
 
 }  // namespace
@@ -64,9 +83,8 @@ Result<SolveWorker::Bench*> SolveWorker::benchFor(const SolveRequest& request) {
 }
 
 Result<SolveResultPtr> SolveWorker::solve(const SolveRequest& request, const IterationCallback& on_iteration) {
-  const auto begin = std::chrono::steady_clock::now();
-  const Result<void> checked =
-      checkAnchors(request.anchors, {.blueprint = request.blueprint->frame(), .slam = request.slam_frame});
+  const auto begin = Clock::now();
+  const Result<void> checked = check(request);
   if (!checked) return failAs(checked);
   Result<Bench*> bench = benchFor(request);
   if (!bench) return failAs(bench);
@@ -80,17 +98,25 @@ Result<SolveResultPtr> SolveWorker::solve(const SolveRequest& request, const Ite
     at.last.reset();
     return failAs(solution);
   }
-  Result<Projector> projector = makeProjector(*at.mesh, *solution);
-  if (!projector) return failAs(projector);
-  at.request = request;
-  at.last = *solution;
-  std::vector<NodeIndex> folded;
-  for (NodeIndex node = 0; projector->foldedTileCount() > 0 && node < at.mesh->nodeCount(); ++node)
-    if (projector->jacobian(at.mesh->centers()[node]).determinant() <= 0.0) folded.push_back(node);
-  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-  return std::make_shared<const SolveResult>(SolveResult{request.revision, request.map, request.quality, at.mesh,
-                                                         request.anchors, std::move(*solution), std::move(*projector),
-                                                         std::move(folded), seconds});
+  Result<SolveResultPtr> result = resultOf(request, at.mesh, *solution, begin);
+  if (result) {
+    at.request = request;
+    at.last = std::move(*solution);
+  }
+  return result;
+}
+
+Result<SolveResultPtr> SolveWorker::solveAside(const SolveRequest& request,
+                                               const IterationCallback& on_iteration) const {
+  const auto begin = Clock::now();
+  const Result<void> checked = check(request);
+  if (!checked) return failAs(checked);
+  const Result<std::shared_ptr<const Mesh>> mesh = meshFor(request);
+  if (!mesh) return failAs(mesh);
+  MeshSolver solver(*mesh);
+  Result<Solution> solution = solver.solve(request.anchors, request.settings, nullptr, on_iteration);
+  if (!solution) return failAs(solution);
+  return resultOf(request, *mesh, std::move(*solution), begin);
 }
 
 double SolveWorker::sigma(const std::string& map, const Eigen::Vector2d& point_in_blueprint) const {

@@ -20,6 +20,10 @@ class SolveWorker {
 
   [[nodiscard]] Result<SolveResultPtr> solve(const SolveRequest& request, const IterationCallback& on_iteration);
 
+  /// The same from nothing, and nothing is kept of it: for a SLAM map that is only looked at.
+  [[nodiscard]] Result<SolveResultPtr> solveAside(const SolveRequest& request,
+                                                  const IterationCallback& on_iteration) const;
+
   /// Standard deviation [m] of the projection of a place of the blueprint, from the last full solve of that SLAM map;
   /// NaN where nothing is known.
   [[nodiscard]] double sigma(const std::string& map, const Eigen::Vector2d& point_in_blueprint) const;

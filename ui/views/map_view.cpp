@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <QApplication>
+#include <QCursor>
 #include <QResizeEvent>
 
 #include "ui/convert.h"
@@ -12,6 +14,7 @@
 namespace cad2slam {
 namespace {
 
+constexpr int kMessages_px = 130;  // as high as the messages above the views get
 constexpr double kFitMargin = 0.04;
 constexpr double kLargestPixel_px = 96.0;  // an image pixel is never drawn larger
 constexpr double kSmallestImage_px = 40.0;
@@ -75,6 +78,16 @@ const std::optional<MapFrame>& MapView::frame() const {
 
 void MapView::setEmptyText(const QString& text) {
   empty_text_ = text;
+  update();
+}
+
+void MapView::setScaleBarUnit(double metres) {
+  scale_bar_unit_m_ = metres;
+  update();
+}
+
+void MapView::setMagnificationNote(bool shown) {
+  magnification_note_ = shown;
   update();
 }
 
@@ -308,8 +321,22 @@ bool MapView::isInView(const QPointF& point_m, double margin_px) const {
 
 void MapView::resizeEvent(QResizeEvent* event) {
   QWidget::resizeEvent(event);
+  const QPoint origin = mapTo(window(), QPoint());
+  const QSize change = size() - event->oldSize();
+  const bool aimed_at = qobject_cast<const MapView*>(QApplication::widgetAt(QCursor::pos())) != nullptr;
+  const bool by_message = isVisible() && (aimed_at || !fit_pending_) && window()->size() == window_size_ &&
+                          event->oldSize().isValid() &&
+                          std::max(std::abs(change.width()), std::abs(change.height())) <= kMessages_px;
+  if (by_message) {
+    // A message came or went beside the view: what is under the cursor stays there, or the next click misses. A map
+    // that nobody is about to click in is rather seen whole.
+    const QPointF middle = QRectF(rect()).center() + QPointF(origin - origin_in_window_);
+    state_.center_m = metres_from_widget_.map(middle);
+  }
+  origin_in_window_ = origin;
+  window_size_ = window()->size();
   updateTransform();
-  if (fit_pending_) fit();  // nobody has moved the view since: keep the whole raster in it
+  if (fit_pending_ && !by_message) fit();  // nobody has moved the view since: keep the whole raster in it
   emit viewStateChanged();
 }
 

@@ -43,11 +43,15 @@ class MapView : public QWidget {
   [[nodiscard]] const std::optional<MapFrame>& frame() const;
   /// Shown in the drop zone while there is no image.
   void setEmptyText(const QString& text);
+  /// Metres for each unit of the frame, for the scale bar; 0 where that is not known, and there is no bar then.
+  void setScaleBarUnit(double metres);
+  void setMagnificationNote(bool shown);
 
   void setMarkers(std::vector<Marker> markers);
   void setMarkersVisible(bool visible);
   void setMarkerTextVisible(bool visible);
   void setGhost(std::optional<Ghost> ghost);
+  /// A note tells a magnification other than 1, unless setMagnificationNote(false).
   void setResiduals(std::vector<ResidualVector> residuals, double magnification);
   /// Shared with whoever made it; null takes it away.
   void setMesh(std::shared_ptr<const MeshOverlay> mesh);
@@ -92,6 +96,8 @@ class MapView : public QWidget {
   [[nodiscard]] QSize minimumSizeHint() const override;
 
  signals:
+  /// Click or Enter in the empty drop zone.
+  void chooseRequested();
   /// A click on no marker. `snapped`: the point is the corner that was shown before the click.
   void clicked(const QPointF& point_m, Qt::KeyboardModifiers modifiers, bool snapped);
   /// A press on a marker or pose, before any drag; Ctrl and Shift are for multi-selection.
@@ -126,6 +132,7 @@ class MapView : public QWidget {
   void filesDropped(const QStringList& paths);
 
  protected:
+  [[nodiscard]] double residualMagnification() const { return residual_magnification_; }
   /// The raster itself; a subclass may draw something else in its place, logical pixels.
   virtual void paintBase(QPainter& painter);
   /// Over everything else but the loupe.
@@ -203,6 +210,7 @@ class MapView : public QWidget {
   std::optional<Ghost> ghost_;
   std::vector<ResidualVector> residuals_;
   double residual_magnification_ = 1.0;
+  bool magnification_note_ = true;
   std::vector<PoseGlyph> poses_;
   std::vector<PathGlyph> paths_;
   std::optional<QPointF> mirrored_cursor_m_;
@@ -216,6 +224,9 @@ class MapView : public QWidget {
   QTransform widget_from_metres_;
   QTransform metres_from_widget_;
   bool fit_pending_ = false;
+  QPoint origin_in_window_;  // as of the last resize
+  QSize window_size_;
+  double scale_bar_unit_m_ = 1.0;
   QVariantAnimation animation_;
   bool locked_ = false;
   bool snapping_ = true;

@@ -123,7 +123,11 @@ void MapView::showCursorShape() {
 
 void MapView::mousePressEvent(QMouseEvent* event) {
   stopAnimation();
-  if (gesture_ != Gesture::kNone || !raster_.source() || !frame_) return;
+  if (!raster_.source() || !frame_) {
+    if (event->button() == Qt::LeftButton) emit chooseRequested();
+    return;
+  }
+  if (gesture_ != Gesture::kNone) return;
   press_ = last_ = event->position();
   cursor_ = press_;
   pressed_.reset();
@@ -384,7 +388,7 @@ void MapView::keyPressEvent(QKeyEvent* event) {
       return;
     case Qt::Key_Return:
     case Qt::Key_Enter:
-      emit acceptRequested();
+      raster_.source() && frame_ ? emit acceptRequested() : emit chooseRequested();
       return;
     case Qt::Key_Delete:
     case Qt::Key_Backspace:

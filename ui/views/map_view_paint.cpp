@@ -83,12 +83,12 @@ void MapView::paintEvent(QPaintEvent*) {
   if (snap_m_ && cursor_) marker_painter_.paintSnap(painter, widgetFromMetres(*snap_m_));
   if (cursor_ && (crosshair_ || loupe)) decoration::paintCrosshair(painter, view, *cursor_);
 
-  decoration::paintScaleBar(painter, view, state_.m_per_px);
+  decoration::paintScaleBar(painter, view, state_.m_per_px * scale_bar_unit_m_);
   decoration::paintCompass(painter, view, state_.rotation_rad, compass_hovered_ || gesture_ == Gesture::kTurnView);
   paintOnTop(painter);
   if (cursor_ && loupe) paintLoupe(painter);
 
-  if (!residuals_.empty() && residual_magnification_ != 1.0) {
+  if (magnification_note_ && !residuals_.empty() && residual_magnification_ != 1.0) {
     const QString text =
         tr("Residuals drawn %1 times as long").arg(QLocale().toString(residual_magnification_, 'g', 3));
     decoration::paintChip(painter, QPointF(view.width() / 2.0, view.height() - 36.0), text, QColor(50, 54, 60, 215),

@@ -33,6 +33,7 @@ bool isHeat(PreviewMode mode) {
 PreviewView::PreviewView(QWidget* parent) : MapView(parent) {
   setAccessibleName(tr("Preview"));
   setSnapping(false);
+  setMagnificationNote(false);  // the legend tells it
   setLocked(true);
   blink_timer_.setInterval(kBlink_ms);
   connect(&blink_timer_, &QTimer::timeout, this, [this] {
@@ -245,7 +246,7 @@ QString PreviewView::legendTitle() const {
     case PreviewMode::kMesh:
       return tr("Mesh: length against rest");
     case PreviewMode::kResiduals:
-      return tr("Residuals: projected to clicked place");
+      return tr("Residuals, %1 times as long").arg(QLocale().toString(residualMagnification(), 'g', 3));
     case PreviewMode::kStretch:
       return tr("Local scale against the mean");
     case PreviewMode::kRotation:
@@ -266,6 +267,8 @@ QString PreviewView::legendHint() const {
       return tr("Hold B for the other map");
     case PreviewMode::kTwoInk:
       return tr("Dark: both agree");
+    case PreviewMode::kResiduals:
+      return tr("From the projected to the clicked place");
     default:
       return {};
   }

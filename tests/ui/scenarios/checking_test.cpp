@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The CAD2SLAM authors
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/document/project_commands.h"
+#include "ui/document/room_map.h"
 #include "ui/panels/anchor_panel.h"
 #include "ui/support/documents.h"
 #include "ui/support/office_window.h"
@@ -8,6 +9,8 @@
 
 #include <QLineEdit>
 #include <QTableView>
+
+#include <Eigen/Geometry>
 
 #include <algorithm>
 
@@ -22,6 +25,18 @@ class CheckingTest : public QObject {
   std::optional<test::Sandbox> sandbox_;
 
   static double rms(OfficeWindow& office) { return office.session().summary().rms_residual_m.value_or(1e9); }
+
+  /// Where an anchor of the sample would be in a SLAM map that is turned by 168 degrees and not bent.
+  static Eigen::Vector2d turned(OfficeWindow& office, std::size_t at) {
+    const Eigen::Vector2d middle(14.0, 9.0);
+    const Eigen::Vector2d there =
+        office.session()
+            .rasters()
+            .frame(Side::kSlam)
+            ->metricFromPixel({0.5 * office.session().rasters().frame(Side::kSlam)->width(),
+                               0.5 * office.session().rasters().frame(Side::kSlam)->height()});
+    return there + Eigen::Rotation2Dd(168.0 * kPi / 180.0) * (office.pairs[at].in_blueprint - middle);
+  }
 
  private slots:
   void init() { sandbox_.emplace(); }
@@ -80,6 +95,20 @@ class CheckingTest : public QObject {
       edit::addAnchor(office.document(), b + Eigen::Vector2d(0.8 * i, 0.0), s + Eigen::Vector2d(0.8 * i, 0.0));
     QVERIFY(office.waitForFinding(Kind::kCollinear));
     QVERIFY(office.window.isVisible());
+    // Beside the line, yet all in the largest room.
+    const RoomMap rooms = RoomMap::find(*office.session().rasters().grid(Side::kBlueprint));
+    const Eigen::Vector2d center =
+        std::max_element(rooms.rooms().begin(), rooms.rooms().end(), [](const auto& a_room, const auto& b_room) {
+          return a_room.area_m2 < b_room.area_m2;
+        })->center;
+    edit::deleteAnchors(office.document(), {1, 2, 3});
+    const double half_turn = kPi;  // about how this SLAM map lies
+    for (const Eigen::Vector2d& aside : {Eigen::Vector2d(0, 0), Eigen::Vector2d(0.6, 0), Eigen::Vector2d(0, 0.6)})
+      edit::addAnchor(office.document(), center + aside, s + Eigen::Rotation2Dd(half_turn) * aside);
+    QVERIFY(office.waitForFinding(Kind::kOneRoom));
+    QVERIFY(!office.finding(Kind::kCollinear));
+    QVERIFY(office.pressCure(QStringLiteral("diagnosis-"), QStringLiteral("Show")));  // a room without anchors
+    QVERIFY(office.window.isVisible());
   }
 
   void scenario12_aWrongScaleIsSaidAndCured_data() {
@@ -100,6 +129,30 @@ class CheckingTest : public QObject {
     QVERIFY(office.waitUntilSolved());
     QTRY_VERIFY_WITH_TIMEOUT(!office.finding(Kind::kScale), test::kPatience);
     QVERIFY(std::abs(office.document().project().blueprint.metadata.resolution_m_per_px / 0.025 - 1.0) < 0.04);
+  }
+
+  void scenario12_threePercentAreSaidOfAMapThatIsNotBent() {
+    OfficeWindow office;
+    for (std::size_t i = 0; i < 8; ++i)
+      edit::addAnchor(office.document(), office.pairs[i].in_blueprint, turned(office, i));
+    edit::rescaleBlueprint(office.document(), 1.03);
+    QVERIFY(office.waitForFinding(Kind::kScale));
+    QVERIFY(std::abs(office.finding(Kind::kScale)->value * 1.03 - 1.0) < 1e-3);
+    QVERIFY(office.hasMessage(QStringLiteral("diagnosis-")));
+    QVERIFY(office.pressCure(QStringLiteral("diagnosis-"), QStringLiteral("Rescale")));
+    QVERIFY(office.waitUntilSolved());
+    QTRY_VERIFY_WITH_TIMEOUT(!office.finding(Kind::kScale), test::kPatience);
+  }
+
+  void scenario12_aSlamMapThatIsTurnedIsNoMistake() {
+    OfficeWindow office;
+    for (std::size_t i = 0; i < 10; ++i)
+      edit::addAnchor(office.document(), office.pairs[i].in_blueprint, turned(office, i));
+    QVERIFY(office.waitUntilSolved());
+    QTRY_VERIFY_WITH_TIMEOUT(office.finding(Kind::kSimilarityEnough), test::kPatience);
+    for (const Kind wrong : {Kind::kMirrored, Kind::kSwapped, Kind::kScale, Kind::kOutlier})
+      QVERIFY(!office.finding(wrong));
+    QVERIFY(rms(office) < 0.01);
   }
 
   void scenario12_aMirroredBlueprintIsSaidAndCured() {

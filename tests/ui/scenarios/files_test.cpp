@@ -17,6 +17,8 @@
 
 #include <csignal>
 
+#include <sys/resource.h>
+
 using namespace cad2slam;
 using test::OfficeWindow;
 
@@ -48,6 +50,26 @@ void answerNextQuestion(QMessageBox::StandardButton button) {
   });
   timer->start(20);
 }
+
+/// While it lives no file of this process can grow beyond so many bytes: what a full disk does.
+class SmallDisk {
+ public:
+  explicit SmallDisk(rlim_t bytes) : handler_(std::signal(SIGXFSZ, SIG_IGN)) {
+    ::getrlimit(RLIMIT_FSIZE, &before_);
+    const rlimit small{bytes, before_.rlim_max};
+    ::setrlimit(RLIMIT_FSIZE, &small);
+  }
+  ~SmallDisk() {
+    ::setrlimit(RLIMIT_FSIZE, &before_);
+    std::signal(SIGXFSZ, handler_);
+  }
+  SmallDisk(const SmallDisk&) = delete;
+  SmallDisk& operator=(const SmallDisk&) = delete;
+
+ private:
+  void (*handler_)(int);
+  rlimit before_{};
+};
 
 }  // namespace
 
@@ -126,6 +148,28 @@ class FilesTest : public QObject {
     QVERIFY(!office.hasMessage(QStringLiteral("save")) || office.hasMessage(QStringLiteral("saved")));
   }
 
+  void scenario19_aFullDiskKeepsTheOldFile() {
+    OfficeWindow office;
+    office.addExact(3);
+    const QString path = sandbox_->path(QStringLiteral("site.c2sproj"));
+    QVERIFY(office.window.files().saveProjectTo(path));
+    const std::string old = formatProject(readProject(toPath(path)).value(), toPath(path));
+    office.addExact(3, 3);
+    {
+      const SmallDisk full(64);
+      QVERIFY(!office.window.files().saveProjectTo(path));
+      QVERIFY(!office.window.exports().exportAnchors(sandbox_->path(QStringLiteral("anchors.csv"))));
+      office.window.recovery().autosave().flush();  // fails as well, which is said and nothing more
+    }
+    QVERIFY(office.hasMessage(QStringLiteral("save")));
+    QVERIFY(office.document().isModified());
+    QCOMPARE(formatProject(readProject(toPath(path)).value(), toPath(path)), old);
+    QVERIFY(!QFile::exists(sandbox_->path(QStringLiteral("anchors.csv"))));
+    QVERIFY(office.window.files().saveProjectTo(path));
+    QVERIFY(!office.hasMessage(QStringLiteral("save-")));
+    QCOMPARE(readProject(toPath(path)).value().slam_maps.at(0).anchors.size(), std::size_t(6));
+  }
+
   void aCleanEndLeavesNothingToRecover() {
     {
       OfficeWindow office;
@@ -162,7 +206,8 @@ class FilesTest : public QObject {
       QVERIFY(office.window.files().openProject(there + QStringLiteral("/site.c2sproj")));
       QTRY_VERIFY_WITH_TIMEOUT(office.hasMessage(QStringLiteral("image-1")), test::kPatience);
       QCOMPARE(office.document().anchors().size(), std::size_t(4));
-      RasterProblem problem{RasterProblem::Kind::kMissing, Side::kSlam, office.document().currentMapName(), {}, {}};
+      RasterProblem problem{
+          RasterProblem::Kind::kMissing, Side::kSlam, office.document().currentMapName(), {}, {}, 0, {}};
       QVERIFY(office.window.files().relocate(problem, there + QStringLiteral("/renamed.png")));
       QVERIFY(office.waitUntilReady());
       QVERIFY(office.waitUntilSolved());
@@ -247,6 +292,46 @@ class FilesTest : public QObject {
     QVERIFY(readProjectorFile(toPath(fixed)).value().node_slam[0].translation != warned.node_slam[0].translation);
     QVERIFY(office.window.exports().inspectProjector(path));
     QVERIFY(office.hasMessage(QStringLiteral("inspect")));
+  }
+
+  void scenario25_aProjectorTellsItsOriginAndAnotherImageIsFlagged() {
+    const QString here = sandbox_->path(QStringLiteral("here"));
+    QVERIFY(copyOffice(here));
+    OfficeWindow office(false);
+    office.window.files().setImage(Side::kBlueprint, here + QStringLiteral("/blueprint.yaml"));
+    office.window.files().setImage(Side::kSlam, here + QStringLiteral("/slam_1.yaml"));
+    QVERIFY(office.waitUntilReady());
+    office.addExact(6);
+    QVERIFY(office.waitUntilSolved());
+    QVERIFY(office.window.files().saveProjectTo(here + QStringLiteral("/tower.c2sproj")));
+    const QString path = sandbox_->path(QStringLiteral("site.c2s"));
+    QVERIFY(office.window.exports().exportProjector(path));
+    const auto told = [&] {
+      for (const Message& message : office.window.messages().messages())
+        if (message.id == QStringLiteral("inspect")) return message;
+      return Message{};
+    };
+    QVERIFY(office.window.exports().inspectProjector(path));
+    const Message same = told();
+    const ProjectorInfo info = readProjectorFile(toPath(path)).value().info;
+    QVERIFY(same.severity == Severity::kNote);
+    QVERIFY2(same.text.contains(QStringLiteral("tower")), qPrintable(same.text));
+    QVERIFY2(same.text.contains(QLocale().toString(QDate::currentDate(), QLocale::ShortFormat)), qPrintable(same.text));
+    for (const std::string& hash : {info.blueprint.image_sha256, info.slam.image_sha256})
+      QVERIFY2(same.text.contains(toQString(hash).left(12)), qPrintable(same.text));
+    // The same name, other pixels.
+    QImage picture(here + QStringLiteral("/blueprint.png"));
+    picture.invertPixels();
+    QVERIFY(picture.save(here + QStringLiteral("/inverted.png")));
+    QVERIFY(office.window.files().relocate({RasterProblem::Kind::kChanged, Side::kBlueprint, {}, {}, {}, 0, {}},
+                                           here + QStringLiteral("/inverted.png")));
+    QVERIFY(office.waitUntilReady());
+    QTRY_VERIFY_WITH_TIMEOUT(office.hasMessage(QStringLiteral("image-0")), test::kPatience);
+    QVERIFY(office.pressCure(QStringLiteral("image-0"), QStringLiteral("Use this one")));
+    QVERIFY(!office.hasMessage(QStringLiteral("image-0")));
+    QVERIFY(office.window.exports().inspectProjector(path));
+    QVERIFY(told().severity == Severity::kWarning);
+    QVERIFY2(told().text.contains(QStringLiteral("blueprint is not the image")), qPrintable(told().text));
   }
 
   void theReportIsAPdfWithEveryAnchor() {

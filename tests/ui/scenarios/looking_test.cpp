@@ -1,13 +1,22 @@
 // SPDX-FileCopyrightText: 2026 The CAD2SLAM authors
 // SPDX-License-Identifier: Apache-2.0
+#include "ui/dialogs/cheat_sheet.h"
+#include "ui/dialogs/export_dialog.h"
+#include "ui/dialogs/scale_dialog.h"
+#include "ui/dialogs/settings_dialog.h"
+#include "ui/document/project_commands.h"
 #include "ui/main_window/appearance.h"
+#include "ui/main_window/exports.h"
 #include "ui/panels/preview_panel.h"
 #include "ui/panels/status_strip.h"
 #include "ui/support/office_window.h"
 
+#include <QAccessible>
 #include <QFile>
 #include <QImage>
 #include <QRegularExpression>
+#include <QScrollArea>
+#include <QScrollBar>
 #include <QSet>
 #include <QXmlStreamReader>
 
@@ -22,6 +31,14 @@ int colorsIn(const QImage& image) {
   for (int y = 0; y < image.height(); y += 3)
     for (int x = 0; x < image.width(); x += 3) colors.insert(image.pixel(x, y));
   return int(colors.size());
+}
+
+QRect changedPart(const QImage& before, const QImage& after) {
+  QRect part;
+  for (int y = 0; y < after.height(); ++y)
+    for (int x = 0; x < after.width(); ++x)
+      if (before.pixel(x, y) != after.pixel(x, y)) part |= QRect(x, y, 1, 1);
+  return part;
 }
 
 }  // namespace
@@ -49,6 +66,64 @@ class LookingTest : public QObject {
       QTRY_VERIFY2_WITH_TIMEOUT(colorsIn(office.window.preview().view().grab().toImage()) > 8,
                                 qPrintable(QStringLiteral("mode %1").arg(mode)), test::kPatience);
     }
+  }
+
+  void scenario15_allSlamMapsOfAProjectWithoutChoosingThem() {
+    OfficeWindow office(false);
+    QVERIFY(office.window.files().openProject(OfficeWindow::sample("office.c2sproj")));
+    QVERIFY(office.waitUntilReady());
+    QVERIFY(office.waitUntilSolved());
+    Alignment& alignment = office.session().alignment();
+    const auto& maps = office.document().project().slam_maps;
+    QCOMPARE(maps.size(), std::size_t(2));
+    const std::string other = maps[1].name;
+    QVERIFY(!alignment.results().contains(other));  // nobody looks at it yet
+    office.window.preview().setMode(PreviewMode::kAllMaps);
+    QTRY_VERIFY_WITH_TIMEOUT(alignment.otherStatus(other) == AlignmentStatus::kUpToDate, test::kPatience);
+    const SolveResultPtr result = alignment.results().at(other);
+    QCOMPARE(result->solution.anchors_used, maps[1].anchors.size());
+    // An edit of the current map leaves it, a new setting does not.
+    edit::moveAnchor(office.document(), office.document().anchors()[0].id, Side::kSlam,
+                     office.document().anchors()[0].in_slam + Eigen::Vector2d(0.1, 0.0),
+                     office.document().newGesture());
+    QVERIFY(office.waitUntilSolved());
+    QCOMPARE(alignment.results().at(other), result);
+    const Project& project = office.document().project();
+    edit::changeSettings(office.document(),
+                         {defaultSettings(Model::kRigid), project.cell_size_m, office.document().state().limits});
+    QTRY_VERIFY_WITH_TIMEOUT(alignment.otherStatus(other) == AlignmentStatus::kUpToDate, test::kPatience);
+    QVERIFY(alignment.results().at(other) != result);
+    // Its ink is in the picture.
+    const auto has_ink = [&](QRgb ink) {
+      const QImage image = office.window.preview().view().picture().image;
+      for (int y = 0; y < image.height(); ++y)
+        for (int x = 0; x < image.width(); ++x)
+          if (image.pixel(x, y) == ink) return true;
+      return false;
+    };
+    QTRY_VERIFY_WITH_TIMEOUT(has_ink(qRgb(0x00, 0x9a, 0x44)), test::kPatience);
+    // Another mode no longer wants it.
+    office.window.preview().setMode(PreviewMode::kOverlay);
+    QVERIFY(alignment.otherStatus(other) == AlignmentStatus::kNotReady);
+  }
+
+  void scenario15_solvingTheOthersCanBeStopped() {
+    OfficeWindow office(false);
+    QVERIFY(office.window.files().openProject(OfficeWindow::sample("office.c2sproj")));
+    QVERIFY(office.waitUntilReady());
+    QVERIFY(office.waitUntilSolved());
+    Alignment& alignment = office.session().alignment();
+    const std::string other = office.document().project().slam_maps[1].name;
+    office.window.preview().setMode(PreviewMode::kAllMaps);
+    QVERIFY(alignment.areOthersBusy());
+    QVERIFY(office.window.actionTable()[ActionId::kCancelSolve]->isEnabled());
+    office.window.actionTable()[ActionId::kCancelSolve]->trigger();
+    QVERIFY(alignment.otherStatus(other) == AlignmentStatus::kCancelled);
+    QVERIFY(alignment.status() == AlignmentStatus::kUpToDate);
+    QTest::qWait(300);
+    QVERIFY(!alignment.results().contains(other));
+    office.window.actionTable()[ActionId::kSolveAgain]->trigger();
+    QTRY_VERIFY_WITH_TIMEOUT(alignment.otherStatus(other) == AlignmentStatus::kUpToDate, test::kPatience);
   }
 
   void scenario16_linkedViewsShowTheSamePlace() {
@@ -96,11 +171,70 @@ class LookingTest : public QObject {
       QVERIFY(back.has_value());
       QVERIFY((toEigen(back->point_m) - office.pairs[i].in_blueprint).norm() < 1e-5);
     }
-    // And it is drawn: hovering changes the other view.
+    // The messages that come change the size of the views.
+    QTRY_VERIFY_WITH_TIMEOUT(office.hasMessage(QStringLiteral("diagnosis-")), test::kPatience);
+    QTest::qWait(100);
+    // And it is drawn there: the middle of what a hover changes in the other view.
+    office.window.actionTable()[ActionId::kMarkers]->setChecked(false);
+    MapView& left = office.window.view(Side::kBlueprint);
     MapView& right = office.window.view(Side::kSlam);
-    const QImage before = right.grab().toImage();
-    QTest::mouseMove(&office.window.view(Side::kBlueprint), QPoint(300, 200));
-    QTRY_VERIFY_WITH_TIMEOUT(right.grab().toImage() != before, test::kPatience);
+    int seen = 0;
+    for (std::size_t i = 0; i < 14 && seen < 10; ++i) {
+      const QPoint at = left.widgetFromMetres(toQPointF(office.pairs[i].in_blueprint)).toPoint();
+      const Projection exact = office.session().alignment().result()->projector.slamFromBlueprint(
+          {toEigen(left.metresFromWidget(at)), 0.0}, OutsidePolicy::kRigid);
+      const QPointF expected = right.widgetFromMetres(toQPointF(exact.pose.translation));
+      if (!QRectF(right.rect()).adjusted(60, 60, -60, -60).contains(expected)) continue;  // not beside a decoration
+      QTest::mouseMove(&left, at + QPoint(200, 200));
+      QEvent leave(QEvent::Leave);
+      QCoreApplication::processEvents();
+      QCoreApplication::sendEvent(&left, &leave);
+      const QImage before = right.grab().toImage();
+      QTest::mouseMove(&left, at);
+      QCoreApplication::processEvents();
+      const QImage after = right.grab().toImage();
+      const QRect changed = changedPart(before, after);
+      QVERIFY(!changed.isEmpty());
+      const QPointF middle = QRectF(changed).center() / after.devicePixelRatio();
+      QVERIFY2(QLineF(middle, expected).length() <= 1.0,
+               qPrintable(QString::number(QLineF(middle, expected).length())));
+      ++seen;
+    }
+    QCOMPARE(seen, 10);
+  }
+
+  void scenario27_everyFieldAndButtonHasANameForScreenReaders() {
+    OfficeWindow office;
+    office.addExact(4);
+    QVERIFY(office.waitUntilSolved());
+    SettingsDialog settings(&office.window, {defaultSettings(Model::kStretch), std::nullopt, {}}, {});
+    ScaleDialog scale(&office.window, toPath(OfficeWindow::sample("blueprint.png")), Side::kBlueprint);
+    CheatSheet keys(&office.window, office.window.actionTable());
+    ExportDialog gate(&office.window, exportChecks(office.session()));
+    QStringList nameless;
+    const std::initializer_list<QWidget*> windows{&office.window, &settings, &scale, &keys, &gate};
+    for (QWidget* window : windows) {
+      for (QWidget* widget : window->findChildren<QWidget*>()) {
+        if (widget->window() != window || widget->focusPolicy() == Qt::NoFocus || widget->isHidden()) continue;
+        if (widget->objectName().startsWith(QStringLiteral("qt_")) || qobject_cast<QScrollArea*>(widget)) continue;
+        if (widget->inherits("QTabBar") || widget->inherits("QTabWidget")) continue;  // its tabs have names
+        QAccessibleInterface* known = QAccessible::queryAccessibleInterface(widget);
+        if (known && known->text(QAccessible::Name).isEmpty())
+          nameless +=
+              QStringLiteral("%1 %2").arg(QLatin1String(widget->metaObject()->className()), widget->objectName());
+      }
+    }
+    QVERIFY2(nameless.isEmpty(), qPrintable(nameless.join(QStringLiteral(", "))));
+  }
+
+  void theCheatSheetFitsASmallScreenWithoutScrolling() {
+    OfficeWindow office(false);
+    CheatSheet keys(&office.window, office.window.actionTable());
+    keys.show();
+    keys.resize(1280, 800);
+    const auto* area = keys.findChild<QScrollArea*>();
+    QVERIFY(area);
+    QTRY_VERIFY(!area->verticalScrollBar()->isVisible() && !area->horizontalScrollBar()->isVisible());
   }
 
   void scenario27_everyActionCanBeReachedAndEveryWidgetHasAName() {

@@ -9,6 +9,7 @@
 #include "ui/main_window/exports.h"
 #include "ui/main_window/program_actions.h"
 #include "ui/panels/preview_panel.h"
+#include "ui/support/documents.h"
 #include "ui/support/office_window.h"
 
 #include <QFileInfo>
@@ -102,12 +103,106 @@ class ScreenshotsTest : public QObject {
     shoot(scale, "13-scale");
   }
 
+  void everyMode() {
+    OfficeWindow office(false);
+    QVERIFY(office.window.files().openProject(OfficeWindow::sample("office.c2sproj")));
+    QVERIFY(office.waitUntilReady());
+    QVERIFY(office.waitUntilSolved());
+    static constexpr const char* kNames[kPreviewModeCount] = {"overlay", "two-inks",  "swipe",   "blink", "lens",
+                                                              "mesh",    "residuals", "stretch", "turn",  "all-maps"};
+    PreviewPanel& preview = office.window.preview();
+    for (int mode = 0; mode < kPreviewModeCount; ++mode) {
+      preview.setMode(static_cast<PreviewMode>(mode));
+      if (preview.mode() == PreviewMode::kLens) QTest::mouseMove(&preview.view(), QPoint(260, 120));
+      if (preview.mode() == PreviewMode::kAllMaps)
+        QTRY_VERIFY_WITH_TIMEOUT(!office.session().alignment().areOthersBusy(), test::kPatience);
+      shoot(preview, qPrintable(QStringLiteral("20-mode-%1-%2").arg(mode).arg(QLatin1String(kNames[mode]))));
+    }
+    preview.setMode(PreviewMode::kOverlay);
+    const Actions& actions = office.window.actionTable();
+    actions[ActionId::kExaggerate]->setChecked(true);
+    actions[ActionId::kLink]->setChecked(true);
+    office.window.view(Side::kBlueprint).setRotation(kPi / 6.0);
+    office.window.view(Side::kBlueprint).zoomBy(1.6);
+    shoot(office.window, "21-linked-and-exaggerated");
+    actions[ActionId::kLoupe]->setChecked(true);
+    QTest::mouseMove(&office.window.view(Side::kBlueprint), QPoint(300, 200));
+    shoot(office.window, "22-loupe-and-mirrored-cursor");
+  }
+
+  void realBuildings_data() {
+    QTest::addColumn<QString>("site");
+    QTest::newRow("diag") << QStringLiteral("diag");
+    QTest::newRow("eiii-0") << QStringLiteral("eiii-0");
+  }
+  void realBuildings() {
+    QFETCH(QString, site);
+    const QString folder = QStringLiteral(CAD2SLAM_SHARED_DATA "/") + site;
+    if (!QFileInfo::exists(folder)) QSKIP("Needs the published data");
+    OfficeWindow office(false);
+    // The whole way of an installer: both maps, the anchors, a project, the file for the robots, and open it again.
+    QVERIFY(office.window.files().setImage(Side::kBlueprint, folder + QStringLiteral("/blueprint.yaml")));
+    QVERIFY(office.window.files().setImage(Side::kSlam, folder + QStringLiteral("/slam.yaml")));
+    QVERIFY(office.waitUntilReady());
+    QVERIFY(office.window.exports().importAnchors(folder + QStringLiteral("/correspondences.data")));
+    QVERIFY(office.waitUntilSolved());
+    QTest::qWait(1500);  // diagnosis, tiles
+    shoot(office.window, qPrintable(QStringLiteral("30-") + site));
+    office.window.preview().setMode(PreviewMode::kTwoInk);
+    shoot(office.window.preview(), qPrintable(QStringLiteral("31-%1-two-inks").arg(site)));
+    office.window.preview().setMode(PreviewMode::kMesh);
+    shoot(office.window.preview(), qPrintable(QStringLiteral("32-%1-mesh").arg(site)));
+    const QString project = sandbox_->path(QStringLiteral("site.c2sproj"));
+    const QString projector = sandbox_->path(QStringLiteral("site.c2s"));
+    QVERIFY(office.window.files().saveProjectTo(project));
+    QVERIFY(office.window.exports().exportProjector(projector, QStringLiteral("a try")));
+    QVERIFY(saveReport(office.window, folder_ + QStringLiteral("/report-%1.pdf").arg(site)));
+    const std::size_t anchors = office.document().anchors().size();
+    OfficeWindow again(false);
+    QVERIFY(again.window.files().openProject(project));
+    QVERIFY(again.waitUntilReady());
+    QVERIFY(again.waitUntilSolved());
+    QCOMPARE(again.document().anchors().size(), anchors);
+    QVERIFY(again.window.exports().inspectProjector(projector));
+    shoot(again.window, qPrintable(QStringLiteral("33-%1-opened-again").arg(site)));
+  }
+
+  void problems() {
+    OfficeWindow office;
+    office.addExact(3);
+    office.window.files().relocate({RasterProblem::Kind::kMissing, Side::kBlueprint, {}, {}, {}, 0, {}},
+                                   sandbox_->path(QStringLiteral("nowhere.png")));
+    QTRY_VERIFY_WITH_TIMEOUT(office.hasMessage(QStringLiteral("image-0")), test::kPatience);
+    shoot(office.window, "40-missing-image");
+    office.document().reset(Project{}, {});
+    office.document().reset(test::smallProject(), "/nowhere/site.c2sproj", true);
+    shoot(office.window, "41-missing-images");
+  }
+
+  void spanish() {
+    applyLanguage(QStringLiteral("es"));
+    OfficeWindow office;
+    office.addExact(12);
+    QVERIFY(office.waitUntilSolved());
+    QTest::qWait(600);
+    shoot(office.window, "15-spanish");
+    SettingsDialog settings(&office.window, {defaultSettings(Model::kStretch), std::nullopt, {}}, {});
+    settings.show();
+    shoot(settings, "16-spanish-settings");
+  }
+
   void german() {
     applyLanguage(QStringLiteral("de"));
     OfficeWindow office;
     office.addExact(12);
     QVERIFY(office.waitUntilSolved());
     shoot(office.window, "14-german");
+    SettingsDialog settings(&office.window, {defaultSettings(Model::kStretch), std::nullopt, {}}, {});
+    settings.show();
+    shoot(settings, "17-german-settings");
+    CheatSheet keys(&office.window, office.window.actionTable());
+    keys.show();
+    shoot(keys, "18-german-keys");
   }
 };
 

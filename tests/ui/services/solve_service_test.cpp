@@ -123,6 +123,79 @@ class SolveServiceTest : public QObject {
     QVERIFY(std::isnan(known.at(1).at(1).toDouble()));
   }
 
+  void othersAreSolvedAsideAfterWhatIsAsked() {
+    SolveService service;
+    QStringList order;
+    connect(&service, &SolveService::solved, this,
+            [&](const SolveResultPtr& result) { order += QString::fromStdString(result->map); });
+    connect(&service, &SolveService::solvedAside, this,
+            [&](const SolveResultPtr& result) { order += QString::fromStdString("aside " + result->map); });
+    const auto hall = freeHall(400, 300);
+    const auto named = [&](const char* map, std::uint64_t revision) {
+      SolveRequest request = requestOf(hall, revision, 0.1);
+      request.map = map;
+      return request;
+    };
+    service.requestAside(named("a", 1));  // runs, is stopped and begins again
+    service.requestAside(named("b", 1));
+    service.requestAside(named("b", 2));  // instead of the one before
+    service.request(named("robot", 3));
+    QTRY_VERIFY_WITH_TIMEOUT(!service.isBusy(), kPatience);
+    QCOMPARE(order, QStringList({"robot", "aside a", "aside b"}));
+  }
+
+  void whatIsSolvedAsideEqualsWhatIsSolved() {
+    SolveService service;
+    QSignalSpy solved(&service, &SolveService::solved);
+    QSignalSpy aside(&service, &SolveService::solvedAside);
+    const auto hall = freeHall(300, 200);
+    service.request(requestOf(hall, 1, 0.3));
+    SolveRequest other = requestOf(hall, 1, 0.3);
+    other.map = "other";
+    service.requestAside(std::move(other));
+    QTRY_VERIFY_WITH_TIMEOUT(solved.size() == 1 && aside.size() == 1, kPatience);
+    const auto a = solved.at(0).at(0).value<SolveResultPtr>();
+    const auto b = aside.at(0).at(0).value<SolveResultPtr>();
+    QVERIFY(a->mesh == b->mesh);  // built once
+    for (std::size_t i = 0; i < a->solution.node_slam.size(); ++i)
+      QCOMPARE(a->solution.node_slam[i].translation, b->solution.node_slam[i].translation);
+  }
+
+  void aDragIsNotStarvedByWhatIsSolvedAside() {
+    SolveService service;
+    QSignalSpy aside(&service, &SolveService::solvedAside);
+    QSignalSpy solved(&service, &SolveService::solved);
+    SolveRequest other = requestOf(freeHall(800, 600), 1, 0.1);
+    other.map = "other";
+    service.requestAside(std::move(other));
+    const auto hall = freeHall(300, 200);
+    for (std::uint64_t revision = 1; revision <= 10; ++revision) {
+      SolveRequest request = requestOf(hall, revision, 0.001 * double(revision));
+      request.quality = Quality::kPreview;
+      service.request(std::move(request));
+      QTRY_VERIFY_WITH_TIMEOUT(solved.size() == int(revision), kPatience);
+    }
+    QTRY_COMPARE_WITH_TIMEOUT(aside.size(), 1, kPatience);
+    service.cancelAside();
+    QVERIFY(!service.isBusy());
+  }
+
+  void cancelAsideLeavesSilence() {
+    SolveService service;
+    QSignalSpy aside(&service, &SolveService::solvedAside);
+    QSignalSpy solved(&service, &SolveService::solved);
+    const auto hall = freeHall(600, 400);
+    service.requestAside(requestOf(hall, 1));
+    SolveRequest other = requestOf(hall, 1);
+    other.map = "other";
+    service.requestAside(std::move(other));
+    service.cancelAside();
+    service.request(requestOf(hall, 2));
+    QTRY_VERIFY_WITH_TIMEOUT(!service.isBusy(), kPatience);
+    QCOMPARE(solved.size(), 1);
+    QVERIFY(aside.isEmpty());
+  }
+
   void endsWhileWorking() {
     for (int i = 0; i < 5; ++i) {
       SolveService service;
