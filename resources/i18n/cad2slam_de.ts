@@ -2187,8 +2187,8 @@ Karten-YAML, PGM, PNG oder TIFF</translation>
         <translation>Automatisch: was die Anker am besten vorhersagt (empfohlen)</translation>
     </message>
     <message>
-        <source>Balanced</source>
-        <translation>Ausgewogen</translation>
+        <source>Loose: clicks that are noisier than the map is bent</source>
+        <translation>Locker: Klicks, die ungenauer sind, als die Karte verbogen ist</translation>
     </message>
     <message>
         <source>Smooth: halls that bend as a whole</source>

@@ -2187,8 +2187,8 @@ YAML de mapa, PGM, PNG o TIFF</translation>
         <translation>Automática: la que mejor predice las anclas (recomendada)</translation>
     </message>
     <message>
-        <source>Balanced</source>
-        <translation>Equilibrada</translation>
+        <source>Loose: clicks that are noisier than the map is bent</source>
+        <translation>Suelta: clics más imprecisos que la deformación del mapa</translation>
     </message>
     <message>
         <source>Smooth: halls that bend as a whole</source>

@@ -95,9 +95,9 @@ QWidget* SettingsDialog::solverPage() {
     stiffness_->addItem(text, static_cast<int>(stiffness));
   };
   add(tr("Automatic: what predicts the anchors best (recommended)"), Stiffness::kAutomatic);
-  add(tr("Balanced"), Stiffness::kBalanced);
-  add(tr("Smooth: halls that bend as a whole"), Stiffness::kSmooth);
   add(tr("Local: corridors that drifted each by themselves"), Stiffness::kLocal);
+  add(tr("Smooth: halls that bend as a whole"), Stiffness::kSmooth);
+  add(tr("Loose: clicks that are noisier than the map is bent"), Stiffness::kLoose);
   add(tr("The numbers below"), Stiffness::kGiven);
   form->addRow(tr("S&tiffness:"), stiffness_);
   connect(stiffness_, &QComboBox::activated, this, &SettingsDialog::showStiffness);
@@ -220,6 +220,7 @@ void SettingsDialog::refresh() {
   fixed_scale_->setEnabled(scale_rule_->currentIndex() == static_cast<int>(ScaleRule::kFixed));
   stiffness_->setEnabled(stretch);
   const bool given = stiffness() == Stiffness::kGiven;
+  anchor_information_->setEnabled(!stretch || stiffness() != Stiffness::kLoose);
   lambda_x_->setEnabled(given || !stretch);
   lambda_y_->setEnabled(given || !stretch);
   lambda_stretch_->setEnabled(given && stretch);

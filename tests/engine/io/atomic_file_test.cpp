@@ -163,9 +163,11 @@ class AtomicFileTest : public QObject {
     const std::string contents[] = {std::string(400000, 'a'), std::string(700000, 'b')};
     const fs::path path = folder.write("file", contents[0]);
     std::mt19937 random(3);
-    std::uniform_int_distribution<useconds_t> moment(0, 4000);
     int complete[] = {0, 0};
-    for (int k = 0; k < 150; ++k) {
+    constexpr int kKills = 150;
+    constexpr int kPatience = 1500;  // on a busy machine a save takes longer
+    for (int k = 0; k < kKills || (k < kPatience && (complete[0] == 0 || complete[1] == 0)); ++k) {
+      std::uniform_int_distribution<useconds_t> moment(0, static_cast<useconds_t>(4000 * (1 + k / kKills)));
       const pid_t child = inChild([&] {
         for (int turn = 1;; ++turn) {
           if (!writeFileAtomically(path, contents[turn % 2])) return false;
