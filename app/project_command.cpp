@@ -28,6 +28,12 @@
 namespace cad2slam::cli {
 namespace {
 
+/// What nine decimals would show as -0.000000000 is zero.
+double withoutMinusZero(double value) {
+  constexpr double kHalfOfLastDigit = 0.5e-9;
+  return std::abs(value) < kHalfOfLastDigit ? 0.0 : value;
+}
+
 struct ProjectOptions {
   std::vector<std::string> files;  ///< projector and input; only the input with `from`
   std::string from;
@@ -142,8 +148,9 @@ class LineProjector {
     const Projection projected = project_(pose);
     ++poses_;
     if (projected.ok()) {
-      fmt::format_to(std::back_inserter(buffer_), "{:.9f},{:.9f},{:.9f},{}\n", projected.pose.translation.x(),
-                     projected.pose.translation.y(), projected.pose.heading, nameOf(projected.status));
+      fmt::format_to(std::back_inserter(buffer_), "{:.9f},{:.9f},{:.9f},{}\n",
+                     withoutMinusZero(projected.pose.translation.x()), withoutMinusZero(projected.pose.translation.y()),
+                     withoutMinusZero(projected.pose.heading), nameOf(projected.status));
       return;
     }
     if (unanswered_++ == 0) first_unanswered_ = line_number_;

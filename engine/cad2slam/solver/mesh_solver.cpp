@@ -7,9 +7,11 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <future>
 #include <limits>
 #include <optional>
 #include <string>
+#include <system_error>
 #include <utility>
 
 #include "cad2slam/anchors/anchor_checks.h"
@@ -102,6 +104,9 @@ class MeshSolver::Impl {
  private:
   Result<Solution> solveMesh(const AnchorList& anchors, const SolverSettings& settings, const Similarity2& global_fit,
                              const Solution* warm_start, const IterationCallback& on_iteration);
+  Result<Solution> solveWithChosenStiffness(const AnchorList& anchors, const SolverSettings& settings,
+                                            const Similarity2& global_fit, const Solution* warm_start,
+                                            const IterationCallback& on_iteration);
   void mixInPlate(const AnchorList& anchors, Solution& solution);
   void mixInGlobalFit(const AnchorList& anchors, Solution& solution) const;
   void updateFits(const AnchorList& anchors, double share, const std::vector<Vector2d>& leave_one_out,
@@ -119,6 +124,7 @@ class MeshSolver::Impl {
   std::vector<NodeIndex> node_order_;
   NormalMatrix normal_;
   std::unique_ptr<StiffnessScout> scout_;
+  std::optional<Stiffness> last_choice_;
 
   // Of the last mesh solve, for projectionSigma().
   Objective objective_;
@@ -143,9 +149,7 @@ Result<Solution> MeshSolver::Impl::solve(const AnchorList& anchors, const Solver
     if (settings.model != Model::kStretch || settings.stiffness != Stiffness::kAutomatic) {
       return solveMesh(anchors, withStiffness(settings, settings.stiffness), *global_fit, warm_start, on_iteration);
     }
-    if (!scout_) scout_ = std::make_unique<StiffnessScout>(*mesh_);
-    const SolverSettings chosen = withStiffness(settings, scout_->choose(anchors, settings));
-    Result<Solution> solution = solveMesh(anchors, chosen, *global_fit, warm_start, on_iteration);
+    Result<Solution> solution = solveWithChosenStiffness(anchors, settings, *global_fit, warm_start, on_iteration);
     if (!solution) return solution;
     Stopwatch stopwatch;
     mixInPlate(anchors, *solution);
@@ -232,6 +236,37 @@ Result<Solution> MeshSolver::Impl::solveMesh(const AnchorList& anchors, const So
   return solution;
 }
 
+/// After an edit the stiffness is mostly the one of before: then the mesh is solved with that while another thread
+/// makes sure, and solved again should it be another one. The answer is the same either way.
+Result<Solution> MeshSolver::Impl::solveWithChosenStiffness(const AnchorList& anchors, const SolverSettings& settings,
+                                                            const Similarity2& global_fit, const Solution* warm_start,
+                                                            const IterationCallback& on_iteration) {
+  if (!scout_) scout_ = std::make_unique<StiffnessScout>(*mesh_);
+  const auto solveWith = [&](Stiffness stiffness) {
+    return solveMesh(anchors, withStiffness(settings, stiffness), global_fit, warm_start, on_iteration);
+  };
+  const auto choose = [&] {
+    const OneThread one_thread;
+    return scout_->choose(anchors, settings);
+  };
+  std::future<Stiffness> choosing;
+  if (warm_start != nullptr && last_choice_) {
+    try {
+      choosing = std::async(std::launch::async, choose);
+    } catch (const std::system_error&) {
+      // No thread to be had: one after the other, then.
+    }
+  }
+  if (!choosing.valid()) {
+    last_choice_ = choose();
+    return solveWith(*last_choice_);
+  }
+  const Stiffness expected = *last_choice_;
+  Result<Solution> solution = solveWith(expected);
+  last_choice_ = choosing.get();
+  return *last_choice_ == expected ? std::move(solution) : solveWith(*last_choice_);
+}
+
 /// Moves every node that an anchor holds part of the way to a thin plate, unless that brings nothing or it folds. What
 /// is left of the plate's shear between nodes cancels in the projector's blend, which is exact for affine maps.
 void MeshSolver::Impl::mixInPlate(const AnchorList& anchors, Solution& solution) {
@@ -251,6 +286,9 @@ void MeshSolver::Impl::mixInPlate(const AnchorList& anchors, Solution& solution)
 /// sigma stays that of the mesh: the global fit only takes part where it is about as good.
 void MeshSolver::Impl::mixInGlobalFit(const AnchorList& anchors, Solution& solution) const {
   if (solution.anchors_used > ThinPlateFit::kMostPairs) return;
+  std::vector<Vector2d> residuals;
+  for (const PointPair& pair : enabledPairs(anchors)) residuals.push_back(global_fit_ * pair.source - pair.target);
+  if (similarityShare(solution, residuals) == 0.0) return;  // left out, they only grow, and that takes time to find
   const std::vector<Vector2d> leave_one_out = similarityLeaveOneOut(anchors, solution.settings.scale);
   const double share = similarityShare(solution, leave_one_out);
   if (share == 0.0) return;

@@ -35,7 +35,7 @@ namespace cad2slam {
 /// as `solution` does, as in small flats with few noisy anchors. None where both miss them by more than noise could.
 [[nodiscard]] double similarityShare(const Solution& solution, const std::vector<Eigen::Vector2d>& leave_one_out);
 
-/// The same for the solution's own global fit.
+/// Moves `nodes` `share` of the way to the solution's own global fit.
 void mixInSimilarity(double share, const Mesh& mesh, const std::vector<NodeIndex>& nodes, Solution& solution);
 
 /// Where the projector with its smooth weights puts a place [m] of the blueprint (DESIGN.md section 4).
