@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cad2slam/io/projector_file.h"
 
+#include "cad2slam/core/large_vector.h"
 #include "cad2slam/io/atomic_file.h"
-#include "cad2slam/io/mapped_file.h"
+#include "cad2slam/io/file_descriptor.h"
 #include "cad2slam/io/projector_header.h"
 #include "cad2slam/io/projector_metadata.h"
 #include "cad2slam/io/sha256.h"
@@ -12,7 +13,6 @@
 #include <cmath>
 #include <cstring>
 #include <deque>
-#include <functional>
 #include <future>
 #include <new>
 #include <optional>
@@ -25,6 +25,13 @@ namespace {
 static_assert(__BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__, "arrays are read as they lie in the file");
 
 constexpr std::size_t kWorthAThread = std::size_t{1} << 20;  // [bytes] to hash
+/// Memory that is filled at once and needs no zeros first.
+struct Byte {
+  char value;
+  Byte() {}  // NOLINT(modernize-use-equals-default): a defaulted one writes zeros
+};
+using Bytes = LargeVector<Byte>;
+
 /// A check pose may differ by rounding on another machine, not more [m, rad].
 constexpr double kCheckTolerance = 1e-6;
 constexpr double kCheckRelativeTolerance = 1e-12;
@@ -43,7 +50,6 @@ template <class Number>
 struct Table {
   const Number* numbers = nullptr;
   std::size_t rows = 0;
-  std::string_view bytes;
 };
 
 /// The content of a file where it lies; nothing is copied unless it is misaligned.
@@ -81,11 +87,11 @@ Result<Table<Number>> findTable(const ProjectorLayout& layout, const std::string
   }
   Table<Number> table;
   table.rows = static_cast<std::size_t>(entry.shape[0]);
-  table.bytes = layout.data.substr(entry.begin, entry.end - entry.begin);
-  const char* bytes = table.bytes.data();
+  const char* bytes = layout.data.data() + entry.begin;
   if (reinterpret_cast<std::uintptr_t>(bytes) % alignof(Number) != 0) {
-    std::vector<double>& copy = aligned.emplace_back((table.bytes.size() + sizeof(double) - 1) / sizeof(double));
-    if (!table.bytes.empty()) std::memcpy(copy.data(), bytes, table.bytes.size());
+    const std::size_t count = entry.end - entry.begin;
+    std::vector<double>& copy = aligned.emplace_back((count + sizeof(double) - 1) / sizeof(double));
+    if (count > 0) std::memcpy(copy.data(), bytes, count);
     bytes = reinterpret_cast<const char*>(copy.data());
   }
   table.numbers = reinterpret_cast<const Number*>(bytes);
@@ -171,14 +177,8 @@ std::vector<CheckPose> checksOf(const ProjectorView& view) {
 
 /// Builds the projector and hashes the data at the same time: both read everything once. Building may see bytes that
 /// the hash then refuses; Projector::create() takes any bytes.
-/// `after_hash` is told when a part of the data is not needed any more.
-Result<Projector> projectorOf(const ProjectorView& view, const std::string& file_name,
-                              const std::function<void(std::string_view)>& after_hash) {
-  const auto hash = [&view, &after_hash] {
-    const bool holds = sha256Hex(view.data.data(), view.data.size()) == view.data_sha256;
-    if (after_hash) after_hash(view.edges.bytes);
-    return holds;
-  };
+Result<Projector> projectorOf(const ProjectorView& view, const std::string& file_name) {
+  const auto hash = [&view] { return sha256Hex(view.data.data(), view.data.size()) == view.data_sha256; };
   std::future<bool> seal_holds;
   if (view.data.size() >= kWorthAThread) {
     try {
@@ -195,17 +195,16 @@ Result<Projector> projectorOf(const ProjectorView& view, const std::string& file
   return projector;
 }
 
-Result<Projector> loadBytes(std::string_view bytes, const std::string& file_name,
-                            const std::function<void(std::string_view)>& after_hash) {
+Result<Projector> functionOf(std::string_view bytes, const std::string& file_name) {
   const Result<ProjectorView> view = openView(bytes, file_name);
   if (!view) return failAs(view);
-  return projectorOf(*view, file_name, after_hash);
+  return projectorOf(*view, file_name);
 }
 
 Result<ProjectorData> dataOf(std::string_view bytes, const std::string& file_name) {
   Result<ProjectorView> view = openView(bytes, file_name);
   if (!view) return failAs(view);
-  const Result<Projector> projector = projectorOf(*view, file_name, {});
+  const Result<Projector> projector = projectorOf(*view, file_name);
   if (!projector) return failAs(projector);
 
   ProjectorData data;
@@ -231,6 +230,39 @@ Result<ProjectorData> dataOf(std::string_view bytes, const std::string& file_nam
   }
   data.check_poses = checksOf(*view);
   return data;
+}
+
+/// The whole file as it is now, in memory of our own. A mapped file would change under the checks when another program
+/// writes to it, and end the process (SIGBUS) when it is cut.
+Result<Bytes> readWhole(const std::filesystem::path& path) {
+  Result<FileDescriptor> file = openRegularFile(path);
+  if (!file) return failAs(file);
+  const Result<std::uintmax_t> size = file->size();
+  if (!size) return failAs(size);
+  if (*size > kLargestProjectorPrefix) {  // before memory is taken for what may be no projector at all
+    const Result<std::string> start = file->readAt(0, kLargestProjectorPrefix);
+    if (!start) return failAs(start);
+    const Result<void> check = checkProjectorPrefix(*start, *size, path.string());
+    if (!check) return failAs(check);
+  }
+  Bytes bytes(static_cast<std::size_t>(*size));
+  std::size_t filled = 0;
+  while (filled < bytes.size()) {
+    const Result<std::size_t> count = file->read(&bytes[filled].value, bytes.size() - filled);
+    if (!count) return failAs(count);
+    if (*count == 0) break;  // it was cut meanwhile, which the checks find
+    filled += *count;
+  }
+  bytes.resize(filled);
+  return bytes;
+}
+
+/// Gives the content of a file to a reader of bytes.
+template <class Read>
+auto withContent(const std::filesystem::path& path, const Read& read) -> decltype(read({}, {})) {
+  const Result<Bytes> bytes = readWhole(path);
+  if (!bytes) return failAs(bytes);
+  return read({reinterpret_cast<const char*>(bytes->data()), bytes->size()}, path.string());
 }
 
 /// Robots may be built without exceptions: what is left of them, where memory runs out, ends here.
@@ -338,23 +370,15 @@ Result<ProjectorData> parseProjectorFile(std::string_view bytes, const std::stri
 }
 
 Result<ProjectorData> readProjectorFile(const std::filesystem::path& path) {
-  return withinMemory([&]() -> Result<ProjectorData> {
-    const Result<MappedFile> file = MappedFile::open(path);
-    if (!file) return failAs(file);
-    return dataOf(file->bytes(), path.string());
-  });
+  return withinMemory([&] { return withContent(path, dataOf); });
 }
 
 Result<Projector> loadProjector(const std::filesystem::path& path) {
-  return withinMemory([&]() -> Result<Projector> {
-    const Result<MappedFile> file = MappedFile::open(path);
-    if (!file) return failAs(file);
-    return loadBytes(file->bytes(), path.string(), [&file](std::string_view part) { file->release(part); });
-  });
+  return withinMemory([&] { return withContent(path, functionOf); });
 }
 
 Result<Projector> loadProjector(std::string_view bytes, const std::string& file_name) {
-  return withinMemory([&] { return loadBytes(bytes, file_name, {}); });
+  return withinMemory([&] { return functionOf(bytes, file_name); });
 }
 
 }  // namespace cad2slam

@@ -39,7 +39,8 @@ inline constexpr int kProjectorFormatMinor = 0;
 [[nodiscard]] Result<ProjectorData> parseProjectorFile(std::string_view bytes, const std::string& file_name);
 [[nodiscard]] Result<ProjectorData> readProjectorFile(const std::filesystem::path& path);
 
-/// Only the function, straight from the mapped file, with the same checks. This is what robots call.
+/// Only the function, with the same checks. This is what robots call. The file is read once and closed; what another
+/// program does to it meanwhile can make it a damaged file, and nothing worse.
 [[nodiscard]] Result<Projector> loadProjector(const std::filesystem::path& path);
 [[nodiscard]] Result<Projector> loadProjector(std::string_view bytes, const std::string& file_name);
 

@@ -184,19 +184,19 @@ std::string rangeComplaint(const ProjectorHeader& header, std::uint64_t data_byt
   return {};
 }
 
-}  // namespace
-
-Result<ProjectorLayout> parseProjectorLayout(std::string_view bytes, const std::string& file_name) {
+/// Of a file of `file_bytes` that begins with `start`.
+Result<ProjectorLayout> layoutOf(std::string_view start, std::uintmax_t file_bytes, const std::string& file_name) {
   const auto malformed = [&file_name](std::string message) {
     return fail(ErrorCode::kMalformed, std::move(message), file_name);
   };
-  if (bytes.size() < kLengthBytes)
-    return malformed("is no projector file: it has only " + std::to_string(bytes.size()) + " bytes");
+  if (start.size() < kLengthBytes) {
+    return malformed("is no projector file: it has only " + std::to_string(start.size()) + " bytes");
+  }
   std::uint64_t length = 0;
-  for (std::size_t k = kLengthBytes; k-- > 0;) length = (length << 8) | static_cast<unsigned char>(bytes[k]);
+  for (std::size_t k = kLengthBytes; k-- > 0;) length = (length << 8) | static_cast<unsigned char>(start[k]);
   if (length > kLargestProjectorHeader) return malformed("is no projector file: its header would be too long");
-  if (length > bytes.size() - kLengthBytes) return malformed("is cut off inside its header");
-  const std::string_view text = bytes.substr(kLengthBytes, length);
+  if (length > start.size() - kLengthBytes) return malformed("is cut off inside its header");
+  const std::string_view text = start.substr(kLengthBytes, length);
   // The parser takes a zero byte for the end of the text; nothing may hide behind it.
   if (text.find('\0') != std::string_view::npos) return malformed("is no projector file: zero bytes in its header");
 
@@ -205,10 +205,22 @@ Result<ProjectorLayout> parseProjectorLayout(std::string_view bytes, const std::
   ProjectorLayout layout;
   layout.header = reader.takeHeader();
   layout.data_begin = kLengthBytes + text.size();
-  layout.data = bytes.substr(layout.data_begin);
-  const std::string complaint = rangeComplaint(layout.header, layout.data.size());
+  layout.data = start.substr(layout.data_begin);
+  const std::string complaint = rangeComplaint(layout.header, file_bytes - layout.data_begin);
   if (!complaint.empty()) return malformed(complaint);
   return layout;
+}
+
+}  // namespace
+
+Result<ProjectorLayout> parseProjectorLayout(std::string_view bytes, const std::string& file_name) {
+  return layoutOf(bytes, bytes.size(), file_name);
+}
+
+Result<void> checkProjectorPrefix(std::string_view start, std::uintmax_t file_bytes, const std::string& file_name) {
+  const Result<ProjectorLayout> layout = layoutOf(start, file_bytes, file_name);
+  if (!layout) return failAs(layout);
+  return {};
 }
 
 std::string formatProjectorHeader(const ProjectorHeader& header) {

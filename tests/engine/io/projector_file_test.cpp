@@ -4,9 +4,12 @@
 
 #include <QtTest>
 
+#include <atomic>
 #include <cstring>
+#include <fstream>
 #include <functional>
 #include <limits>
+#include <thread>
 
 #include "cad2slam/io/projector_header.h"
 #include "support/projector_samples.h"
@@ -220,6 +223,66 @@ class ProjectorFileTest : public QObject {
     QVERIFY(loadProjector(bytes, "x").has_value());
     bytes.back() = static_cast<char>(bytes.back() ^ 1);
     QVERIFY(loadProjector(bytes, "x").error().message.find("SHA-256") != std::string::npos);
+  }
+
+  /// Our own programs replace files as a whole. One that writes into a file while a robot loads it must neither end the
+  /// robot's process nor give it a function that was never checked.
+  void aFileThatIsRewrittenInPlaceIsReadAsAWholeOrRefused() {
+    const test::TemporaryFolder folder;
+    ProjectorData data = test::sampleProjector(200, 150);
+    const std::string first = *formatProjectorFile(data);
+    for (Pose2& pose : data.node_slam) pose.translation.x() += 1.0;
+    for (CheckPose& check : data.check_poses) check.in_slam.translation.x() += 1.0;
+    const std::string second = *formatProjectorFile(data);
+    QCOMPARE(first.size(), second.size());
+    const std::filesystem::path path = folder.write("a.c2s", first);
+
+    std::atomic<bool> ends{false};
+    std::thread writer([&] {
+      std::fstream file(path, std::ios::binary | std::ios::in | std::ios::out);
+      while (!ends) {
+        for (const std::string* content : {&second, &first}) {
+          file.seekp(0).write(content->data(), static_cast<std::streamsize>(content->size())).flush();
+          std::filesystem::resize_file(path, content->size() / 3);
+        }
+      }
+    });
+    const auto placesOf = [&data](const Projector& projector) {
+      std::vector<Eigen::Vector2d> places;
+      for (const Eigen::Vector2d& center : data.node_blueprint) {
+        places.push_back(projector.slamFromBlueprint({center, 0.0}, OutsidePolicy::kError).pose.translation);
+      }
+      return places;
+    };
+    const std::vector<Eigen::Vector2d> of_first = placesOf(*loadProjector(first, "first"));
+    const std::vector<Eigen::Vector2d> of_second = placesOf(*loadProjector(second, "second"));
+    int mixed = 0;
+    int refused = 0;
+    for (int k = 0; k < 200; ++k) {
+      const Result<Projector> loaded = loadProjector(path);
+      if (!loaded) {
+        ++refused;
+        continue;
+      }
+      const std::vector<Eigen::Vector2d> places = placesOf(*loaded);
+      if (places != of_first && places != of_second) ++mixed;
+    }
+    ends = true;
+    writer.join();
+    QCOMPARE(mixed, 0);
+    QVERIFY(refused > 0);
+  }
+
+  void aLargeFileOfAnotherKindIsRefusedByItsFirstBytes() {
+    const test::TemporaryFolder folder;
+    const std::filesystem::path path = folder.write("map.bag", "#ROSBAG V2.0\n");
+    std::filesystem::resize_file(path, std::uintmax_t{1} << 42);  // of holes; more than any memory
+    QVERIFY(loadProjector(path).error().code == ErrorCode::kMalformed);
+    const std::string good = *formatProjectorFile(test::sampleProjector(4, 3));
+    const std::filesystem::path longer = folder.write("longer.c2s", good);
+    std::filesystem::resize_file(longer, std::uintmax_t{1} << 42);
+    QVERIFY(loadProjector(longer).error().message.find("bytes too many") != std::string::npos);
+    QVERIFY(readProjectorFile(longer).error().code == ErrorCode::kMalformed);
   }
 
   void missingFilesAndFolders() {
