@@ -184,43 +184,32 @@ std::string rangeComplaint(const ProjectorHeader& header, std::uint64_t data_byt
   return {};
 }
 
-/// Of a file of `file_bytes` that begins with `start`.
-Result<ProjectorLayout> layoutOf(std::string_view start, std::uintmax_t file_bytes, const std::string& file_name) {
-  const auto malformed = [&file_name](std::string message) {
-    return fail(ErrorCode::kMalformed, std::move(message), file_name);
-  };
-  if (start.size() < kLengthBytes) {
-    return malformed("is no projector file: it has only " + std::to_string(start.size()) + " bytes");
-  }
-  std::uint64_t length = 0;
-  for (std::size_t k = kLengthBytes; k-- > 0;) length = (length << 8) | static_cast<unsigned char>(start[k]);
-  if (length > kLargestProjectorHeader) return malformed("is no projector file: its header would be too long");
-  if (length > start.size() - kLengthBytes) return malformed("is cut off inside its header");
-  const std::string_view text = start.substr(kLengthBytes, length);
-  // The parser takes a zero byte for the end of the text; nothing may hide behind it.
-  if (text.find('\0') != std::string_view::npos) return malformed("is no projector file: zero bytes in its header");
-
-  HeaderReader reader;
-  if (!json::sax_parse(text.begin(), text.end(), &reader)) return malformed("has a header that " + reader.complaint());
-  ProjectorLayout layout;
-  layout.header = reader.takeHeader();
-  layout.data_begin = kLengthBytes + text.size();
-  layout.data = start.substr(layout.data_begin);
-  const std::string complaint = rangeComplaint(layout.header, file_bytes - layout.data_begin);
-  if (!complaint.empty()) return malformed(complaint);
-  return layout;
-}
-
 }  // namespace
 
-Result<ProjectorLayout> parseProjectorLayout(std::string_view bytes, const std::string& file_name) {
-  return layoutOf(bytes, bytes.size(), file_name);
-}
+Result<ProjectorHeader> readProjectorHeader(ByteSource& source) {
+  const auto malformed = [&source](std::string message) {
+    return fail(ErrorCode::kMalformed, std::move(message), source.name());
+  };
+  std::array<char, kLengthBytes> prefix{};
+  if (source.remaining() < prefix.size()) {
+    return malformed("is no projector file: it has only " + std::to_string(source.remaining()) + " bytes");
+  }
+  if (const Result<void> read = source.read(prefix.data(), prefix.size()); !read) return failAs(read);
+  std::uint64_t length = 0;
+  for (std::size_t k = prefix.size(); k-- > 0;) length = (length << 8) | static_cast<unsigned char>(prefix[k]);
+  if (length > kLargestProjectorHeader) return malformed("is no projector file: its header would be too long");
+  if (length > source.remaining()) return malformed("is cut off inside its header");
+  std::string text(static_cast<std::size_t>(length), '\0');
+  if (const Result<void> read = source.read(text.data(), text.size()); !read) return failAs(read);
+  // The parser takes a zero byte for the end of the text; nothing may hide behind it.
+  if (text.find('\0') != std::string::npos) return malformed("is no projector file: zero bytes in its header");
 
-Result<void> checkProjectorPrefix(std::string_view start, std::uintmax_t file_bytes, const std::string& file_name) {
-  const Result<ProjectorLayout> layout = layoutOf(start, file_bytes, file_name);
-  if (!layout) return failAs(layout);
-  return {};
+  HeaderReader reader;
+  if (!json::sax_parse(text, &reader)) return malformed("has a header that " + reader.complaint());
+  ProjectorHeader header = reader.takeHeader();
+  const std::string complaint = rangeComplaint(header, source.remaining());
+  if (!complaint.empty()) return malformed(complaint);
+  return header;
 }
 
 std::string formatProjectorHeader(const ProjectorHeader& header) {
