@@ -4,8 +4,11 @@
 
 #include <cstdio>
 #include <exception>
+#include <filesystem>
 #include <iostream>
 #include <new>
+#include <string>
+#include <system_error>
 
 #include "app/cli_command.h"
 #include "app/version.h"
@@ -14,6 +17,26 @@ namespace {
 
 constexpr int kFailure = 1;
 constexpr int kUsage = 2;
+
+/// What a command writes may not be a file that it reads: nobody means to replace it by something else.
+cad2slam::Result<void> checkOutput(const CLI::App& app) {
+  const CLI::App* command = &app;
+  while (!command->get_subcommands().empty()) command = command->get_subcommands().front();
+  const CLI::Option* output = command->get_option_no_throw("--output");
+  if (output == nullptr || output->empty()) return {};
+  const std::string target = output->results().front();
+  for (const CLI::Option* option : command->get_options()) {
+    if (option == output) continue;
+    for (const std::string& input : option->results()) {
+      std::error_code one_is_missing;
+      if (std::filesystem::equivalent(target, input, one_is_missing)) {
+        return cad2slam::fail(cad2slam::ErrorCode::kUnwritable, "is read by this command; give the output another name",
+                              target);
+      }
+    }
+  }
+  return {};
+}
 
 int runCli(int argc, char** argv) {
   using namespace cad2slam::cli;
@@ -36,7 +59,9 @@ int runCli(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? 0 : kUsage;
   }
-  if (const cad2slam::Result<void> done = chosen.run(); !done) {
+  cad2slam::Result<void> done = checkOutput(app);
+  if (done) done = chosen.run();
+  if (!done) {
     std::cout.flush();
     std::cerr << "cad2slam-cli: " << done.error().sentence() << '\n';
     return kFailure;

@@ -4,13 +4,14 @@
 
 #include <cstdio>
 #include <filesystem>
-#include <iostream>
-#include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "app/cli_command.h"
+#include "app/cli_options.h"
+#include "app/feature_input.h"
 #include "app/mask_export.h"
 #include "cad2slam/exports/feature_warp.h"
 #include "cad2slam/exports/grid_sampling.h"
@@ -30,7 +31,7 @@ struct ExportOptions {
   std::string features;
   std::string output;
   WarpDirection direction = WarpDirection::kToSlam;
-  std::string outside;
+  std::optional<OutsidePolicy> outside;
   double chord_error_m = 0.01;
   std::string level = "L1";
   double spacing_m = 0.5;
@@ -39,30 +40,14 @@ struct ExportOptions {
   double step_m = 0.25;
 };
 
-OutsidePolicy policyOf(const ExportOptions& options, const Projector& projector) {
-  if (options.outside.empty()) return projector.info().outside;
-  return options.outside == "rigid" ? OutsidePolicy::kRigid : OutsidePolicy::kError;
-}
-
 void report(const std::string& line) {
   fmt::print("{}\n", line);
   std::fflush(stdout);
 }
 
 Result<WarpedFeatures> warpedFeatures(const Projector& projector, const ExportOptions& options) {
-  const Result<FeatureList> features = readFeatures(options.features);
-  if (!features) return failAs(features);
-  Result<WarpedFeatures> warped =
-      warpFeatures(projector, *features, {options.direction, policyOf(options, projector), options.chord_error_m});
-  if (!warped) {
-    Error error = warped.error();
-    error.where = error.where.empty() ? options.features : options.features + ": " + error.where;
-    return tl::unexpected(error);
-  }
-  for (const std::string& warning : warped->warnings) {
-    std::cerr << "cad2slam-cli: warning: " << options.features << ": " << warning << '\n';
-  }
-  return warped;
+  const OutsidePolicy outside = options.outside.value_or(projector.info().outside);
+  return readWarpedFeatures(options.features, projector, {options.direction, outside, options.chord_error_m});
 }
 
 Result<void> exportFeatures(const ExportOptions& options) {
@@ -146,6 +131,10 @@ Result<void> exportGrid(const ExportOptions& options) {
   if (!grid) return failAs(grid);
   const std::filesystem::path npy = options.output;
   const std::filesystem::path json = std::filesystem::path(npy).replace_extension(".json");
+  if (npy == json) {
+    return fail(ErrorCode::kOutOfDomain, "is the name of the description beside the grid; end it in .npy",
+                npy.string());
+  }
   const bool to_slam = options.direction == WarpDirection::kToSlam;
   if (Result<void> written = writeFileAtomically(npy, formatNpy(*grid)); !written) return written;
   const std::string description = formatGridDescription(*grid, npy.filename().string(), to_slam ? "blueprint" : "slam",
@@ -168,20 +157,12 @@ CLI::App* addExport(CLI::App& parent, ActionSlot& chosen, const std::shared_ptr<
   return command;
 }
 
-void addDirection(CLI::App& command, ExportOptions& options) {
-  command.add_option("--to", options.direction, "Frame of what is written: slam or blueprint")
-      ->required()
-      ->transform(CLI::CheckedTransformer(std::map<std::string, WarpDirection>{
-          {"slam", WarpDirection::kToSlam}, {"blueprint", WarpDirection::kToBlueprint}}));
-}
-
 void addWarping(CLI::App& command, ExportOptions& options) {
   command.add_option("features", options.features, "GeoJSON or CSV, metres")->required();
   command.add_option("--chord-error", options.chord_error_m, "How far bent edges may lie from what is written [m]")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
-  command.add_option("--outside", options.outside, "Beyond the mesh: error or rigid (default: what the file says)")
-      ->check(CLI::IsMember({"error", "rigid"}));
+  addOutside(command, options.outside);
 }
 
 }  // namespace
@@ -195,7 +176,7 @@ void addExportCommand(CLI::App& app, ActionSlot& chosen) {
       addExport(*parent, chosen, options, "features",
                 "Points, paths and polygons in the other frame: GeoJSON, or CSV by the extension", exportFeatures);
   addWarping(*features, *options);
-  addDirection(*features, *options);
+  addDirection(*features, options->direction, "Frame of what is written");
   addMaskExports(*parent, chosen);
   CLI::App* waypoints = addExport(*parent, chosen, options, "waypoints",
                                   "Points of the blueprint as waypoints of nav2's RViz panel", exportWaypoints);
@@ -216,7 +197,7 @@ void addExportCommand(CLI::App& app, ActionSlot& chosen) {
   addExport(*parent, chosen, options, "g2o", "The solved graph for solvers", exportG2o);
   CLI::App* grid = addExport(*parent, chosen, options, "grid",
                              "A regular grid as .npy, with a .json beside it, for bilinear interpolation", exportGrid);
-  addDirection(*grid, *options);
+  addDirection(*grid, options->direction, "Frame of what is written");
   grid->add_option("--step", options->step_m, "Distance of the samples [m]")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();

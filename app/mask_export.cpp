@@ -7,7 +7,6 @@
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
-#include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -15,9 +14,9 @@
 #include <utility>
 #include <vector>
 
-#include "cad2slam/exports/feature_warp.h"
+#include "app/cli_options.h"
+#include "app/feature_input.h"
 #include "cad2slam/exports/zone_mask.h"
-#include "cad2slam/io/feature_csv.h"
 #include "cad2slam/io/map_file.h"
 #include "cad2slam/io/projector_file.h"
 
@@ -29,7 +28,7 @@ struct MaskOptions {
   std::string zones;
   std::string map;
   std::string output;
-  std::string outside;
+  std::optional<OutsidePolicy> outside;
   double buffer_m = 0.1;
   double chord_error_m = 0.01;
   bool only_inside = false;
@@ -65,24 +64,6 @@ Result<MapFrame> maskFrame(const MaskOptions& options, const FrameInfo& slam) {
   const Eigen::Vector2d size = (high - low) / map->resolution();
   return MapFrame::create(map->resolution(), static_cast<int>(std::ceil(size.x())),
                           static_cast<int>(std::ceil(size.y())), {low, 0.0});
-}
-
-Result<FeatureList> warpedZones(const MaskOptions& options, const Projector& projector) {
-  const Result<FeatureList> zones = readFeatures(options.zones);
-  if (!zones) return failAs(zones);
-  const OutsidePolicy outside = options.outside.empty()      ? projector.info().outside
-                                : options.outside == "rigid" ? OutsidePolicy::kRigid
-                                                             : OutsidePolicy::kError;
-  Result<WarpedFeatures> warped =
-      warpFeatures(projector, *zones, {WarpDirection::kToSlam, outside, options.chord_error_m});
-  if (!warped) {
-    return fail(warped.error().code, warped.error().message + "; --outside rigid continues the map there",
-                options.zones + ": " + warped.error().where);
-  }
-  for (const std::string& warning : warped->warnings) {
-    std::cerr << "cad2slam-cli: warning: " << options.zones << ": " << warning << '\n';
-  }
-  return std::move(warped->features);
 }
 
 /// Each polygon on its own: polygons of one feature may overlap. What the written edges may miss goes to the buffer.
@@ -132,9 +113,11 @@ Result<MaskInputs> loadInputs(const MaskOptions& options) {
   if (!projector) return failAs(projector);
   Result<MapFrame> frame = maskFrame(options, projector->info().slam);
   if (!frame) return failAs(frame);
-  Result<FeatureList> features = warpedZones(options, *projector);
-  if (!features) return failAs(features);
-  return MaskInputs{std::move(*frame), std::move(*features)};
+  const OutsidePolicy outside = options.outside.value_or(projector->info().outside);
+  Result<WarpedFeatures> zones =
+      readWarpedFeatures(options.zones, *projector, {WarpDirection::kToSlam, outside, options.chord_error_m});
+  if (!zones) return failAs(zones);
+  return MaskInputs{std::move(*frame), std::move(zones->features)};
 }
 
 Result<void> exportKeepout(const MaskOptions& options) {
@@ -196,8 +179,7 @@ CLI::App* addMask(CLI::App& parent, ActionSlot& chosen, const std::shared_ptr<Ma
   command->add_option("--chord-error", options->chord_error_m, "Of bent edges, added to the buffer [m]")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
-  command->add_option("--outside", options->outside, "Beyond the mesh: error or rigid (default: what the file says)")
-      ->check(CLI::IsMember({"error", "rigid"}));
+  addOutside(*command, options->outside);
   command->callback([options, &chosen, run] { chosen.set([options, run] { return run(*options); }); });
   return command;
 }

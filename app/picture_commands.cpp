@@ -3,12 +3,12 @@
 #include <fmt/format.h>
 
 #include <iostream>
-#include <map>
 #include <memory>
 #include <string>
 #include <vector>
 
 #include "app/cli_command.h"
+#include "app/cli_options.h"
 #include "cad2slam/io/map_file.h"
 #include "cad2slam/io/projector_file.h"
 #include "cad2slam/projection/overlay_picture.h"
@@ -21,7 +21,7 @@ struct WarpCommandOptions {
   std::string projector;
   std::string image;
   std::string output;
-  bool to_slam = true;
+  WarpDirection direction = WarpDirection::kToSlam;
   double resolution = 0.0;
   MapSemantics semantics = MapSemantics::kJazzy;
 };
@@ -51,11 +51,12 @@ Result<void> warp(const WarpCommandOptions& options) {
   const Result<LoadedMap> map = loadMap(options.image, {options.semantics});
   if (!map) return failAs(map);
   for (const std::string& warning : map->warnings) std::cerr << "cad2slam-cli: warning: " << warning << '\n';
-  const WarpDirection direction = options.to_slam ? WarpDirection::kToSlam : WarpDirection::kToBlueprint;
-  const FrameInfo& target = options.to_slam ? projector->info().slam : projector->info().blueprint;
-  const Result<MapFrame> frame = targetFrame(*projector, target, direction, map->grid.frame(), options.resolution);
+  const bool to_slam = options.direction == WarpDirection::kToSlam;
+  const FrameInfo& target = to_slam ? projector->info().slam : projector->info().blueprint;
+  const Result<MapFrame> frame =
+      targetFrame(*projector, target, options.direction, map->grid.frame(), options.resolution);
   if (!frame) return failAs(frame);
-  const Result<OccupancyGrid> warped = warpGrid(*projector, options.to_slam, map->grid, *frame);
+  const Result<OccupancyGrid> warped = warpGrid(*projector, to_slam, map->grid, *frame);
   if (!warped) return failAs(warped);
 
   MapMetadata metadata;  // map_server's own trinary thresholds keep 205 unknown
@@ -96,16 +97,12 @@ void addWarpCommand(CLI::App& app, ActionSlot& chosen) {
   CLI::App* command = app.add_subcommand("warp", "Draw a whole map in the other frame, as a map_server map");
   command->add_option("projector", options->projector, "Projector file (.c2s)")->required();
   command->add_option("image", options->image, "Map to draw (map_server YAML)")->required();
-  command->add_option("--to", options->to_slam, "Frame to draw in: slam or blueprint")
-      ->required()
-      ->transform(CLI::CheckedTransformer(std::map<std::string, bool>{{"slam", true}, {"blueprint", false}}));
+  addDirection(*command, options->direction, "Frame to draw in");
   command
       ->add_option("--resolution", options->resolution,
                    "Metres per pixel (default: raster and resolution of the map the projector was made for)")
       ->check(CLI::PositiveNumber);
-  command->add_option("--semantics", options->semantics, "Read pixels as map_server of jazzy (default) or humble does")
-      ->transform(CLI::CheckedTransformer(
-          std::map<std::string, MapSemantics>{{"jazzy", MapSemantics::kJazzy}, {"humble", MapSemantics::kHumble}}));
+  addSemantics(*command, options->semantics);
   command->add_option("-o,--output", options->output, "YAML to write; the PNG is written beside it")->required();
   command->callback([options, &chosen] { chosen.set([options] { return warp(*options); }); });
 }

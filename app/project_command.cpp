@@ -21,6 +21,7 @@
 #include <vector>
 
 #include "app/cli_command.h"
+#include "app/cli_options.h"
 #include "cad2slam/exports/robot_to_robot.h"
 #include "cad2slam/io/pose_protocol.h"
 #include "cad2slam/io/projector_file.h"
@@ -38,7 +39,7 @@ struct ProjectOptions {
   std::vector<std::string> files;  ///< projector and input; only the input with `from`
   std::string from;
   std::string to;
-  std::string outside;
+  std::optional<OutsidePolicy> outside;
 };
 
 using PoseFunction = std::function<Projection(const Pose2&)>;
@@ -175,15 +176,10 @@ class LineProjector {
   std::size_t first_unanswered_ = 0;
 };
 
-OutsidePolicy policyOf(const ProjectOptions& options, const Projector& projector) {
-  if (options.outside.empty()) return projector.info().outside;
-  return options.outside == "rigid" ? OutsidePolicy::kRigid : OutsidePolicy::kError;
-}
-
 Result<PoseFunction> functionOfOne(const ProjectOptions& options) {
   Result<Projector> loaded = loadProjector(options.files.front());
   if (!loaded) return failAs(loaded);
-  const OutsidePolicy outside = policyOf(options, *loaded);
+  const OutsidePolicy outside = options.outside.value_or(loaded->info().outside);
   const bool to_slam = options.to == "slam";
   return [projector = std::move(*loaded), outside, to_slam](const Pose2& pose) {
     return to_slam ? projector.slamFromBlueprint(pose, outside) : projector.blueprintFromSlam(pose, outside);
@@ -197,9 +193,8 @@ Result<PoseFunction> functionOfTwo(const ProjectOptions& options) {
   if (!to) return failAs(to);
   const Result<RobotToRobot> both = RobotToRobot::create(*from, *to);
   if (!both) return fail(both.error().code, both.error().message, options.from + " and " + options.to);
-  if (options.outside.empty()) return [chain = *both](const Pose2& pose) { return chain.project(pose); };
-  const OutsidePolicy outside = policyOf(options, *to);
-  return [chain = *both, outside](const Pose2& pose) { return chain.project(pose, outside); };
+  if (!options.outside) return [chain = *both](const Pose2& pose) { return chain.project(pose); };
+  return [chain = *both, outside = *options.outside](const Pose2& pose) { return chain.project(pose, outside); };
 }
 
 Result<void> projectStream(const ProjectOptions& options) {
@@ -238,7 +233,8 @@ void checkFiles(const ProjectOptions& options) {
 
 void addProjectCommand(CLI::App& app, ActionSlot& chosen) {
   auto options = std::make_shared<ProjectOptions>();
-  CLI::App* command = app.add_subcommand("project", "Project poses, one a line: x,y[,theta] in, x,y,theta,status out");
+  CLI::App* command = app.add_subcommand(
+      "project", "Project poses, one a line: x,y[,theta] in, x,y,theta,status out; metres and radians");
   command->add_option("files", options->files, "Projector file (.c2s), then a file of poses or - for standard input")
       ->expected(0, 2)
       ->type_name("[PROJECTOR] [INPUT]");
@@ -246,8 +242,7 @@ void addProjectCommand(CLI::App& app, ActionSlot& chosen) {
       ->required();
   command->add_option("--from", options->from,
                       "Projector of the robot whose poses are read; they go through the blueprint to that of --to");
-  command->add_option("--outside", options->outside, "Beyond the mesh: error or rigid (default: what the file says)")
-      ->check(CLI::IsMember({"error", "rigid"}));
+  addOutside(*command, options->outside);
   command->callback([options, &chosen] {
     checkFiles(*options);
     chosen.set([options] { return projectStream(*options); });

@@ -8,7 +8,6 @@
 #include <chrono>
 #include <cmath>
 #include <iostream>
-#include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -17,6 +16,7 @@
 #include <vector>
 
 #include "app/cli_command.h"
+#include "app/cli_options.h"
 #include "app/solve_job.h"
 #include "app/version.h"
 #include "cad2slam/io/projector_file.h"
@@ -45,10 +45,10 @@ struct SolveOptions {
   bool reproducible = false;
 };
 
-const std::map<std::string, Stiffness> kStiffnesses{{"auto", Stiffness::kAutomatic},
-                                                    {"smooth", Stiffness::kSmooth},
-                                                    {"local", Stiffness::kLocal},
-                                                    {"loose", Stiffness::kLoose}};
+const Choices<Stiffness> kStiffnesses = {{"auto", Stiffness::kAutomatic},
+                                         {"local", Stiffness::kLocal},
+                                         {"smooth", Stiffness::kSmooth},
+                                         {"loose", Stiffness::kLoose}};
 
 std::string nameOf(Stiffness stiffness) {
   for (const auto& [name, value] : kStiffnesses) {
@@ -236,32 +236,26 @@ void addSolveCommand(CLI::App& app, ActionSlot& chosen) {
   anchors->needs(blueprint)->excludes(project);
   command->add_option("--model", options->model, "stretch (default) or rigid, the paper's")
       ->check(CLI::IsMember({"stretch", "rigid"}));
-  command
-      ->add_option("--stiffness", options->stiffness,
-                   "Of the stretch model: auto (default), local (each corridor for itself), smooth (halls that bend) "
-                   "or loose (noisy clicks)")
-      ->transform(CLI::CheckedTransformer(kStiffnesses));
+  addChoice(*command, "--stiffness", options->stiffness, kStiffnesses,
+            "Of the stretch model: auto (default), local (each corridor for itself), smooth (halls that bend) or loose "
+            "(noisy clicks)");
   command->add_option(
       "--scale", options->scale,
       "auto: the plan claims to be to scale; unknown: least squares; or SLAM metres per blueprint metre");
   command->add_option("--cell-size", options->cell_size, "Edge length of a mesh cell in metres, or auto");
-  command->add_option("--weights", options->weights, "How nodes are blended: smooth (default) or paper")
-      ->transform(CLI::CheckedTransformer(
-          std::map<std::string, BlendWeights>{{"smooth", BlendWeights::kSmooth}, {"paper", BlendWeights::kPaper}}));
+  addChoice<BlendWeights>(*command, "--weights", options->weights,
+                          {{"smooth", BlendWeights::kSmooth}, {"paper", BlendWeights::kPaper}},
+                          "How nodes are blended: smooth (default) or paper");
   command->add_option("--radius", options->radius_m, "Radius of the paper's weights in metres")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
-  command
-      ->add_option("--outside", options->outside,
-                   "What the projector answers beyond the mesh: error (default) or rigid")
-      ->transform(CLI::CheckedTransformer(
-          std::map<std::string, OutsidePolicy>{{"error", OutsidePolicy::kError}, {"rigid", OutsidePolicy::kRigid}}));
-  command->add_option("--semantics", options->semantics, "Read pixels as map_server of jazzy (default) or humble does")
-      ->transform(CLI::CheckedTransformer(
-          std::map<std::string, MapSemantics>{{"jazzy", MapSemantics::kJazzy}, {"humble", MapSemantics::kHumble}}));
-  command->add_option("--backend", options->backend, "Minimiser: direct (default) or ceres, the slower reference")
-      ->transform(CLI::CheckedTransformer(
-          std::map<std::string, SolverBackend>{{"direct", SolverBackend::kDirect}, {"ceres", SolverBackend::kCeres}}));
+  addChoice<OutsidePolicy>(*command, "--outside", options->outside,
+                           {{"error", OutsidePolicy::kError}, {"rigid", OutsidePolicy::kRigid}},
+                           "What the projector answers beyond the mesh: error (default) or rigid");
+  addSemantics(*command, options->semantics);
+  addChoice<SolverBackend>(*command, "--backend", options->backend,
+                           {{"direct", SolverBackend::kDirect}, {"ceres", SolverBackend::kCeres}},
+                           "Minimiser: direct (default) or ceres, the slower reference");
   command->add_option("-o,--output", options->output, "Projector file to write (.c2s)")->required();
   command->add_flag("--json", options->json, "Print the report as one JSON object");
   command->add_flag("--reproducible", options->reproducible, "Leave the time out of the file");

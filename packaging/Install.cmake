@@ -65,6 +65,10 @@ configure_package_config_file(cad2slamConfig.cmake.in cad2slamConfig.cmake INSTA
 write_basic_package_version_file(cad2slamConfigVersion.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${CMAKE_CURRENT_BINARY_DIR}/cad2slamConfig.cmake ${CMAKE_CURRENT_BINARY_DIR}/cad2slamConfigVersion.cmake
         DESTINATION ${config_folder} COMPONENT dev)
+set(docs ${CMAKE_SOURCE_DIR}/docs)
+install(FILES ${docs}/projector-file.md ${docs}/example.c2s ${docs}/guide-nav2.md ${docs}/guide-open-rmf.md
+              ${docs}/guide-vda5050.md
+        DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/libcad2slam-dev COMPONENT dev)
 
 # Where Debian's python3 looks; others install with pip from the folder python/.
 install(FILES ${CMAKE_SOURCE_DIR}/python/cad2slam.py ${CMAKE_SOURCE_DIR}/python/cad2slam_native.py

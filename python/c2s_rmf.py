@@ -8,7 +8,8 @@ all that an adapter can put between them. ProjectedRobotAPI wraps the RobotAPI o
     api = c2s_rmf.ProjectedRobotAPI(RobotAPI(config), {"L1": "office.c2s"})
 
 and RMF gets no transformation at all: an adapter without `reference_coordinates` passes poses on as they are.
-Commands beyond the mesh are refused and poses from there are not reported: a robot never drives to a guessed place.
+Commands beyond the mesh are refused and poses from there are not reported, also where the file would go on rigidly: a
+robot never drives to a guessed place.
 """
 
 from __future__ import annotations
@@ -60,7 +61,7 @@ class Levels:
         if target is None or level is None:
             _log.error("no projector for map %s", source)
             return None
-        found = getattr(self._projectors[level], direction)([float(value) for value in pose[:3]])
+        found = getattr(self._projectors[level], direction)([float(value) for value in pose[:3]], "error")
         if not found.ok:
             _log.error("pose %s on map %s: %s", list(pose), source, cad2slam.Status(int(found.status)).name.lower())
             return None

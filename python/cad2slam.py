@@ -20,6 +20,7 @@ import json
 import math
 import os
 import stat
+from contextlib import contextmanager
 from enum import IntEnum
 from typing import Any, Callable, Iterator, Mapping, NamedTuple
 
@@ -31,6 +32,7 @@ Numbers = NDArray[np.int64]
 Flags = NDArray[np.bool_]
 
 _LARGEST_HEADER = 1 << 20
+_LARGEST_PREFIX = 8 + _LARGEST_HEADER  # bytes of any file that hold all of its header
 _LARGEST_TILE = 1e9
 _LARGEST_STRETCH = 5.0
 _CHUNK = 1 << 14  # poses; what is computed for them stays in the cache
@@ -86,19 +88,36 @@ def load(path: str | os.PathLike[str], *, native: bool | None = None) -> Project
 
 def read(path: str | os.PathLike[str]) -> tuple[dict[str, str], dict[str, NDArray[Any]]]:
     """Metadata and arrays of a projector file, after all checks that need no projecting."""
-    with open(path, "rb") as file:
-        if not stat.S_ISREG(os.fstat(file.fileno()).st_mode):
-            raise ProjectorError(f"{os.fspath(path)}: is no regular file")
-        return parse(file.read(), os.fspath(path))
+    name = os.fspath(path)
+    with open(path, "rb", opener=_open_at_once) as file:
+        about = os.fstat(file.fileno())
+        if not stat.S_ISREG(about.st_mode):
+            raise ProjectorError(f"{name}: is no regular file")
+        start = file.read(_LARGEST_PREFIX)
+        if about.st_size > len(start):  # a large file that is none of ours is refused before it is read
+            with _naming(name):
+                _header_of(start, about.st_size)
+        return parse(start + file.read(), name)
 
 
 def parse(content: bytes, name: str) -> tuple[dict[str, str], dict[str, NDArray[Any]]]:
     """As read(), for bytes that are in memory."""
+    with _naming(name):
+        header, begin = _header_of(content, len(content))
+        return _metadata_of(header), _arrays_of(header, content[begin:])
+
+
+def _open_at_once(path: str, flags: int) -> int:
+    """Without waiting for somebody to write, as opening a pipe would."""
+    return os.open(path, flags | getattr(os, "O_NONBLOCK", 0))
+
+
+@contextmanager
+def _naming(file: str) -> Iterator[None]:
     try:
-        header, data = _split(content)
-        return _metadata_of(header), _arrays_of(header, data)
+        yield
     except ProjectorError as error:
-        raise ProjectorError(f"{name}: {error}") from None
+        raise ProjectorError(f"{file}: {error}") from None
 
 
 def _require(holds: Any, complaint: str) -> None:
@@ -111,21 +130,21 @@ def _distinct(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
     return dict(pairs)
 
 
-def _split(content: bytes) -> tuple[dict[str, Any], bytes]:
-    """Header and data section of any safetensors file."""
-    _require(len(content) >= 8, f"is no projector file: it has only {len(content)} bytes")
-    length = int.from_bytes(content[:8], "little")
+def _header_of(start: bytes, size: int) -> tuple[dict[str, Any], int]:
+    """Header of any safetensors file of `size` bytes, and where its data section begins."""
+    _require(len(start) >= 8, f"is no projector file: it has only {len(start)} bytes")
+    length = int.from_bytes(start[:8], "little")
     _require(length <= _LARGEST_HEADER, "is no projector file: its header would be too long")
-    _require(length <= len(content) - 8, "is cut off inside its header")
+    _require(length <= len(start) - 8, "is cut off inside its header")
     try:
-        header = json.loads(content[8:8 + length].decode("utf-8"), object_pairs_hook=_distinct, parse_float=_no_number,
+        header = json.loads(start[8:8 + length].decode("utf-8"), object_pairs_hook=_distinct, parse_float=_no_number,
                             parse_constant=_no_number)
     except ProjectorError:
         raise
     except (ValueError, RecursionError):
         raise ProjectorError("has a header that is not valid JSON") from None
     _require(isinstance(header, dict), "has a header that is no JSON object")
-    data = content[8 + length:]
+    data_bytes = size - 8 - length
     ranges = []
     for name, entry in header.items():
         if name != "__metadata__":
@@ -134,9 +153,9 @@ def _split(content: bytes) -> tuple[dict[str, Any], bytes]:
     for begin, end in sorted(ranges):
         _require(begin == covered, f"has arrays that overlap or leave a gap at byte {covered}")
         covered = end
-    _require(covered <= len(data), f"is cut off: {covered - len(data)} bytes are missing")
-    _require(covered == len(data), f"has {len(data) - covered} bytes too many")
-    return header, data
+    _require(covered <= data_bytes, f"is cut off: {covered - data_bytes} bytes are missing")
+    _require(covered == data_bytes, f"has {data_bytes - covered} bytes too many")
+    return header, 8 + length
 
 
 def _no_number(text: str) -> Any:

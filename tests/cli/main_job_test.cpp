@@ -25,6 +25,8 @@ class MainJobTest : public QObject {
   void usage_data();
   void usage();
   void helpAndVersion();
+  void choicesAreWords();
+  void inputsAreNotOverwritten();
   void solveReports();
   void jsonHasAllKeys();
   void optionsReachTheProjector();
@@ -85,6 +87,39 @@ void MainJobTest::helpAndVersion() {
   const CliRun version = office_.run({"--version"});
   QCOMPARE(version.exit_code, 0);
   QVERIFY(QRegularExpression("^cad2slam-cli \\d+\\.\\d+\\.\\d+\n$").match(version.out).hasMatch());
+}
+
+void MainJobTest::choicesAreWords() {
+  for (const char* command : {"solve", "project", "warp", "export features", "export grid", "export keepout"}) {
+    const CliRun help = office_.run(QString(command).split(' ') << "--help");
+    QVERIFY2(!help.out.contains("->") && !help.out.contains("ENUM") && !help.out.contains("BOOLEAN"), command);
+  }
+  const CliRun wrong = office_.run({"warp", "office.c2s", "blueprint.yaml", "-o", "warped.yaml", "--to", "moon"});
+  QCOMPARE(wrong.exit_code, 2);
+  QVERIFY2(wrong.err.contains("--to: moon not in {slam,blueprint}"), qPrintable(wrong.err));
+  // What stands behind a word is no word.
+  QCOMPARE(office_.run({"warp", "office.c2s", "blueprint.yaml", "-o", "warped.yaml", "--to", "1"}).exit_code, 2);
+}
+
+void MainJobTest::inputsAreNotOverwritten() {
+  const auto contentOf = [this](const QString& name) {
+    QFile file(office_.file(name));
+    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+  };
+  const QStringList before = office_.names();
+  const QByteArray projector = contentOf("office.c2s");
+  const QByteArray plan = contentOf("blueprint.yaml");
+  for (const QStringList& arguments : {QStringList{"export", "g2o", "office.c2s", "-o", "office.c2s"},
+                                       {"export", "tinshift", "office.c2s", "--output", "./office.c2s"},
+                                       {"warp", "office.c2s", "blueprint.yaml", "--to", "slam", "-o", "blueprint.yaml"},
+                                       {"export", "grid", "office.c2s", "--to", "slam", "-o", "grid.json"}}) {
+    const CliRun run = office_.run(arguments);
+    QCOMPARE(run.exit_code, 1);
+    QVERIFY2(run.sentence().contains(arguments.last()), qPrintable(run.err));
+  }
+  QCOMPARE(office_.names(), before);
+  QCOMPARE(contentOf("office.c2s"), projector);
+  QCOMPARE(contentOf("blueprint.yaml"), plan);
 }
 
 void MainJobTest::solveReports() {

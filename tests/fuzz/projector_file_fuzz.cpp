@@ -3,8 +3,8 @@
 #include <cstdint>
 
 #include "cad2slam/io/projector_file.h"
-#include "cad2slam/io/projector_header.h"
 #include "fuzz/require.h"
+#include "support/projector_parts.h"
 #include "support/projector_samples.h"
 
 using namespace cad2slam;
@@ -37,9 +37,9 @@ void readAndUse(std::string_view bytes) {
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t count) {
   const std::string_view input(reinterpret_cast<const char*>(bytes), count);
   readAndUse(input);
-  Result<ProjectorLayout> layout = parseProjectorLayout(input, "a.c2s");
-  if (!layout) return 0;
-  sealProjectorHeader(layout->header, layout->data);
-  readAndUse(formatProjectorPrefix(layout->header) + std::string(layout->data));
+  Result<test::ProjectorParts> parts = test::partsOf(input);
+  if (!parts) return 0;
+  sealProjectorHeader(parts->header, parts->data);
+  readAndUse(formatProjectorPrefix(parts->header) + parts->data);
   return 0;
 }

@@ -17,6 +17,16 @@ run(${CMAKE_COMMAND} -S ${SOURCE_DIR}/robot -B ${WORK_DIR}/build -G ${GENERATOR}
 run(${CMAKE_COMMAND} --build ${WORK_DIR}/build)
 run(${WORK_DIR}/build/robot ${PROJECTOR})
 run(${WORK_DIR}/build/robot_in_c ${PROJECTOR})
+# A component that does not exist is named.
+file(WRITE ${WORK_DIR}/nonsense/CMakeLists.txt
+  "cmake_minimum_required(VERSION 3.25)\nproject(nonsense LANGUAGES CXX)\n"
+  "find_package(cad2slam REQUIRED COMPONENTS projector nonsense)\n")
+execute_process(COMMAND ${CMAKE_COMMAND} -S ${WORK_DIR}/nonsense -B ${WORK_DIR}/nonsense/build -G ${GENERATOR}
+    -DCMAKE_CXX_COMPILER=${COMPILER} -DCMAKE_PREFIX_PATH=${WORK_DIR}/prefix
+  RESULT_VARIABLE failed ERROR_VARIABLE message OUTPUT_QUIET)
+if(NOT failed OR NOT message MATCHES "there is no component nonsense")
+  message(FATAL_ERROR "find_package() took or did not name an unknown component: ${message}")
+endif()
 file(GLOB_RECURSE configs ${WORK_DIR}/prefix/*.cmake)
 foreach(config ${configs})
   file(READ ${config} text)

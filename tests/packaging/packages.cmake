@@ -64,6 +64,12 @@ if(mime_path AND EXISTS ${WORK_DIR}/root/usr/share/mime)
   endforeach()
 endif()
 
+foreach(document projector-file.md example.c2s guide-nav2.md guide-open-rmf.md guide-vda5050.md)
+  if(NOT EXISTS ${WORK_DIR}/root/usr/share/doc/libcad2slam-dev/${document})
+    message(SEND_ERROR "${document} is not in the package for developers")
+  endif()
+endforeach()
+
 # Programs, library and module as a robot has them, with nothing from the tree but a file to read.
 file(GLOB_RECURSE library ${WORK_DIR}/root/usr/lib/libcad2slam.so.0)
 cmake_path(GET library PARENT_PATH library_folder)

@@ -179,9 +179,9 @@ class ExportTest(unittest.TestCase):
 
     def test_wrong_features_are_refused(self):
         out = self.folder / "out.geojson"
-        far = self.write(collection(("Point", [9e5, 9e5], {"name": "Mars"})))
+        far = self.write(collection(("Point", [9e5, 9e5], {"name": "Mars"})), "far.geojson")
         message = run("export", "features", OFFICE, far, "--to", "slam", "--outside", "error", "-o", out, fails=True)
-        self.assertIn("'Mars'", message)
+        self.assertIn("far.geojson: 'Mars': the place (900000, 900000) lies outside the mesh; with 'outside rigid'", message)
         self.assertFalse(out.exists())
         for text in ("", "{", "[]", '{"type": "Polygon", "coordinates": [[[0, 0], [1, 1]]]}',
                      '{"type": "Point", "coordinates": ["a", 0]}', '{"type": "Point", "coordinates": [1e999, 0]}',

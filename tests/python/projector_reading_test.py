@@ -49,6 +49,28 @@ class ReadingTest(unittest.TestCase):
         self.assertRaises(FileNotFoundError, cad2slam.load, "no such file.c2s", native=False)
         self.assertRaises(cad2slam.ProjectorError, cad2slam.load, "/dev/zero", native=False)
 
+    def test_what_is_no_projector_costs_neither_time_nor_memory(self):
+        with tempfile.TemporaryDirectory() as folder:
+            pipe = Path(folder) / "pipe.c2s"
+            os.mkfifo(pipe)  # nobody writes to it: opening it would wait for ever
+            self.assertRaises(cad2slam.ProjectorError, cad2slam.load, pipe, native=False)
+            for start, why in ((b"#ROSBAG V2.0\n", "no projector file"), (self.good, "bytes too many")):
+                large = Path(folder) / "large.c2s"
+                large.write_bytes(start)
+                os.truncate(large, 1 << 42)  # of holes; more than any memory
+                with self.assertRaisesRegex(cad2slam.ProjectorError, "large.c2s: .*" + why):
+                    cad2slam.load(large, native=False)
+
+    def test_large_files_are_read_whole(self):
+        header, data = content_of({**self.arrays, "anchors": np.ones((50000, 4))}, self.values)
+        with tempfile.TemporaryDirectory() as folder:
+            path = Path(folder) / "large.c2s"
+            path.write_bytes(file_of(header, data))
+            self.assertGreater(path.stat().st_size, 1 << 20)
+            self.assertEqual(len(cad2slam.load(path, native=False).arrays["anchors"]), 50000)
+            path.write_bytes(file_of(header, data)[:-1])
+            self.assertRaisesRegex(cad2slam.ProjectorError, "1 bytes are missing", cad2slam.load, path, native=False)
+
     def test_layout(self):
         self.refused(b"", "only 0 bytes")
         self.refused(self.good[:7], "only 7 bytes")

@@ -61,8 +61,9 @@ typedef struct cad2slam_projector cad2slam_projector;
 /* "0.1.0" */
 const char* cad2slam_version(void);
 
-/* Opens a projector file and checks all of it. On failure *projector is NULL and, where `message` is not NULL, one
- * sentence of at most size - 1 bytes of UTF-8 stands there. Returns an enum cad2slam_result. */
+/* Opens a projector file and checks all of it. The file is read once and closed: what happens to it afterwards does not
+ * matter, and one that is rewritten meanwhile is a damaged one. On failure *projector is NULL and, where `message` is
+ * not NULL, one sentence of at most size - 1 bytes of UTF-8 stands there. Returns an enum cad2slam_result. */
 int cad2slam_load(const char* path, cad2slam_projector** projector, char* message, size_t size);
 /* The same for the bytes of a file, which are not needed any more afterwards. `name` is for the message, or NULL. */
 int cad2slam_load_bytes(const void* bytes, size_t count, const char* name, cad2slam_projector** projector,

@@ -3,9 +3,11 @@
 #include "cad2slam/exports/feature_warp.h"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <numeric>
 #include <optional>
+#include <string>
 #include <utility>
 
 #include "cad2slam/geometry/pose2.h"
@@ -16,6 +18,12 @@ namespace {
 using Eigen::Vector2d;
 
 constexpr std::size_t kMostSamplesPerEdge = 1'000'000;
+
+/// For messages; a plain number in every locale.
+std::string textOf(double number) {
+  char text[32];
+  return {text, std::to_chars(text, text + sizeof text, number, std::chars_format::general, 7).ptr};
+}
 
 double distanceToChord(const Vector2d& place, const Vector2d& from, const Vector2d& to) {
   const Vector2d along = to - from;
@@ -62,11 +70,12 @@ class EdgeWarper {
                                  ? projector_.slamFromBlueprint(place, options_.outside)
                                  : projector_.blueprintFromSlam(place, options_.outside);
     if (found.ok()) return found.pose;
-    const char* why = found.status == ProjectionStatus::kFolded    ? "lies where the mesh folds"
-                      : found.status == ProjectionStatus::kInvalid ? "is not finite"
-                                                                   : "lies outside the mesh";
-    return fail(ErrorCode::kOutOfDomain, "the place (" + std::to_string(place.translation.x()) + ", " +
-                                             std::to_string(place.translation.y()) + ") " + why);
+    const char* why = found.status == ProjectionStatus::kFolded ? "lies where the mesh folds"
+                      : found.status == ProjectionStatus::kInvalid
+                          ? "is not finite"
+                          : "lies outside the mesh; with 'outside rigid' it would continue there";
+    return fail(ErrorCode::kOutOfDomain,
+                "the place (" + textOf(place.translation.x()) + ", " + textOf(place.translation.y()) + ") " + why);
   }
 
   /// Appends the image of an edge without its first vertex.

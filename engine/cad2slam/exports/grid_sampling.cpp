@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -15,9 +16,9 @@ using Eigen::Vector2d;
 
 constexpr double kMostSamples = 25e6;
 
-/// Largest error of bilinear interpolation in the middles of the grid's cells.
-double deviationOf(const PoseGrid& grid, const Projector& projector, WarpDirection direction) {
-  double largest = 0.0;
+/// Largest error of bilinear interpolation in the middles of the grid's cells; empty where no cell lies on the mesh.
+std::optional<double> deviationOf(const PoseGrid& grid, const Projector& projector, WarpDirection direction) {
+  std::optional<double> largest;
   for (std::size_t row = 0; row + 1 < grid.rows; ++row) {
     for (std::size_t column = 0; column + 1 < grid.columns; ++column) {
       const Vector2d mean = 0.25 * (grid.at(row, column).translation + grid.at(row, column + 1).translation +
@@ -28,7 +29,7 @@ double deviationOf(const PoseGrid& grid, const Projector& projector, WarpDirecti
       const Projection exact = direction == WarpDirection::kToSlam
                                    ? projector.slamFromBlueprint({middle, 0.0}, OutsidePolicy::kError)
                                    : projector.blueprintFromSlam({middle, 0.0}, OutsidePolicy::kError);
-      if (exact.ok()) largest = std::max(largest, (exact.pose.translation - mean).norm());
+      if (exact.ok()) largest = std::max(largest.value_or(0.0), (exact.pose.translation - mean).norm());
     }
   }
   return largest;
@@ -73,7 +74,11 @@ Result<PoseGrid> sampleGrid(const Projector& projector, WarpDirection direction,
       grid.images.push_back(near ? image.pose : Pose2{{kNaN, kNaN}, kNaN});
     }
   }
-  grid.max_deviation_m = deviationOf(grid, projector, direction);
+  const std::optional<double> deviation = deviationOf(grid, projector, direction);
+  if (!deviation) {
+    return fail(ErrorCode::kOutOfDomain, "no cell of a grid with this step lies on the mesh; take a smaller one");
+  }
+  grid.max_deviation_m = *deviation;
   return grid;
 }
 

@@ -174,8 +174,9 @@ Result<int> marginOf(const MapFrame& frame, const MaskZone& zone) {
   constexpr double kLargestBuffer_px = 2000.0;
   const double buffer_px = zone.buffer_m / frame.resolution();
   if (!(buffer_px >= 0.0) || buffer_px > kLargestBuffer_px) {
-    return fail(ErrorCode::kOutOfDomain, "the buffer of a zone must lie between 0 and " +
-                                             std::to_string(kLargestBuffer_px * frame.resolution()) + " m");
+    return fail(ErrorCode::kOutOfDomain,
+                "the buffer of a zone must lie between 0 and " +
+                    std::to_string(std::lround(std::floor(kLargestBuffer_px * frame.resolution()))) + " m");
   }
   if (!allFinite(zone.rings) || !allFinite(zone.lines)) {
     return fail(ErrorCode::kOutOfDomain, "a zone has a place that is not finite");

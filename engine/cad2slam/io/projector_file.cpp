@@ -2,21 +2,20 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cad2slam/io/projector_file.h"
 
+#include "cad2slam/core/large_vector.h"
 #include "cad2slam/io/atomic_file.h"
-#include "cad2slam/io/mapped_file.h"
+#include "cad2slam/io/byte_source.h"
 #include "cad2slam/io/projector_header.h"
 #include "cad2slam/io/projector_metadata.h"
 #include "cad2slam/io/sha256.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <cstring>
-#include <deque>
-#include <functional>
-#include <future>
+#include <map>
 #include <new>
 #include <optional>
-#include <system_error>
+#include <utility>
 #include <vector>
 
 namespace cad2slam {
@@ -24,7 +23,9 @@ namespace {
 
 static_assert(__BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__, "arrays are read as they lie in the file");
 
-constexpr std::size_t kWorthAThread = std::size_t{1} << 20;  // [bytes] to hash
+/// [bytes] Read and hashed at a time: what was just read is still in the cache of the processor.
+constexpr std::size_t kSliceBytes = std::size_t{1} << 18;
+
 /// A check pose may differ by rounding on another machine, not more [m, rad].
 constexpr double kCheckTolerance = 1e-6;
 constexpr double kCheckRelativeTolerance = 1e-12;
@@ -38,30 +39,34 @@ constexpr const char* kDtype<std::int32_t> = "I32";
 template <>
 constexpr const char* kDtype<std::uint32_t> = "U32";
 
-/// One array of a file, row by row.
-template <class Number>
-struct Table {
-  const Number* numbers = nullptr;
-  std::size_t rows = 0;
-  std::string_view bytes;
+/// What one number of a row is.
+template <class Row>
+struct NumberOf {
+  using Type = typename Row::value_type;
+};
+template <>
+struct NumberOf<TileCoordinate> {
+  using Type = std::int32_t;
 };
 
-/// The content of a file where it lies; nothing is copied unless it is misaligned.
-struct ProjectorView {
+/// A file as it was read.
+struct ProjectorContent {
   ProjectorInfo info;
-  Table<double> node_blueprint;
-  Table<double> node_slam;
-  Table<double> node_stretch;
-  Table<std::int32_t> node_tile;
-  Table<std::uint32_t> edges;
-  Table<double> anchors;
-  Table<double> check_poses;
-  std::string_view data;
-  std::string data_sha256;
-  std::deque<std::vector<double>> aligned;  // copies of what lay on an odd address
+  ProjectorArrays nodes;
+  LargeVector<std::array<std::uint32_t, 2>> edges;
+  LargeVector<std::array<double, 4>> anchors;
+  LargeVector<std::array<double, 6>> check_poses;
 
-  [[nodiscard]] ProjectorArrays arrays() const {
-    return {node_blueprint.rows, node_blueprint.numbers, node_slam.numbers, node_stretch.numbers, node_tile.numbers};
+  /// Calls visit(name, rows) for each array that every file has.
+  template <class Visit>
+  void forEachArray(const Visit& visit) {
+    visit("node_blueprint", nodes.node_blueprint);
+    visit("node_slam", nodes.node_slam);
+    visit("node_stretch", nodes.node_stretch);
+    visit("node_tile", nodes.node_tile);
+    visit("edges", edges);
+    visit("anchors", anchors);
+    visit("check_poses", check_poses);
   }
 };
 
@@ -69,81 +74,126 @@ tl::unexpected<Error> malformed(const std::string& file_name, std::string messag
   return fail(ErrorCode::kMalformed, std::move(message), file_name);
 }
 
-template <class Number>
-Result<Table<Number>> findTable(const ProjectorLayout& layout, const std::string& name, std::size_t columns,
-                                std::deque<std::vector<double>>& aligned, const std::string& file_name) {
-  const auto place = layout.header.arrays.find(name);
-  if (place == layout.header.arrays.end()) return malformed(file_name, "has no array " + name);
+/// Makes room for an array of the header.
+template <class Row>
+Result<char*> makeRoom(LargeVector<Row>& rows, const ProjectorHeader& header, const std::string& name,
+                       const std::string& file_name) {
+  using Number = typename NumberOf<Row>::Type;
+  constexpr std::size_t kColumns = sizeof(Row) / sizeof(Number);
+  const auto place = header.arrays.find(name);
+  if (place == header.arrays.end()) return malformed(file_name, "has no array " + name);
   const ArrayEntry& entry = place->second;
-  if (entry.dtype != kDtype<Number> || entry.shape.size() != 2 || entry.shape[1] != columns) {
+  if (entry.dtype != kDtype<Number> || entry.shape.size() != 2 || entry.shape[1] != kColumns) {
     return malformed(file_name, "has an array " + name + " that is not " + kDtype<Number> + " in " +
-                                    std::to_string(columns) + " columns");
+                                    std::to_string(kColumns) + " columns");
   }
-  Table<Number> table;
-  table.rows = static_cast<std::size_t>(entry.shape[0]);
-  table.bytes = layout.data.substr(entry.begin, entry.end - entry.begin);
-  const char* bytes = table.bytes.data();
-  if (reinterpret_cast<std::uintptr_t>(bytes) % alignof(Number) != 0) {
-    std::vector<double>& copy = aligned.emplace_back((table.bytes.size() + sizeof(double) - 1) / sizeof(double));
-    if (!table.bytes.empty()) std::memcpy(copy.data(), bytes, table.bytes.size());
-    bytes = reinterpret_cast<const char*>(copy.data());
-  }
-  table.numbers = reinterpret_cast<const Number*>(bytes);
-  return table;
+  rows.resize(static_cast<std::size_t>(entry.shape[0]));
+  return reinterpret_cast<char*>(rows.data());
 }
 
-bool allFinite(const Table<double>& table, std::size_t columns) {
-  return std::all_of(table.numbers, table.numbers + table.rows * columns, [](double x) { return std::isfinite(x); });
-}
+/// Where the bytes of one array go.
+struct Destination {
+  std::uint64_t begin = 0;  ///< [bytes] in the data section
+  std::uint64_t bytes = 0;
+  char* memory = nullptr;  ///< null for an array that is not known, which is only hashed
+};
 
-/// Everything but the nodes, which Projector::create() checks, and the seal of the data.
-Result<ProjectorView> openView(std::string_view bytes, const std::string& file_name) {
-  const Result<ProjectorLayout> layout = parseProjectorLayout(bytes, file_name);
-  if (!layout) return failAs(layout);
-  Result<ProjectorInfo> info = infoOf(layout->header.metadata, file_name);
-  if (!info) return failAs(info);
-  if (!headerSealHolds(layout->header)) return malformed(file_name, "is damaged: its header was changed");
-
-  ProjectorView view;
-  view.info = std::move(*info);
-  view.data = layout->data;
+/// Of all arrays, in the order of the file.
+Result<std::vector<Destination>> makeRoom(ProjectorContent& content, const ProjectorHeader& header,
+                                          const std::string& file_name) {
+  std::map<std::string, char*> memory;
   std::optional<Error> error;
-  const auto find = [&](auto& table, const char* name, std::size_t columns) {
-    auto found = findTable<std::remove_cv_t<std::remove_pointer_t<decltype(table.numbers)>>>(*layout, name, columns,
-                                                                                             view.aligned, file_name);
-    if (found) {
-      table = *found;
-    } else if (!error) {
-      error = found.error();
+  content.forEachArray([&](const char* name, auto& rows) {
+    if (error) return;
+    const Result<char*> room = makeRoom(rows, header, name, file_name);
+    if (room) {
+      memory[name] = *room;
+    } else {
+      error = room.error();
     }
-  };
-  find(view.node_blueprint, "node_blueprint", 2);
-  find(view.node_slam, "node_slam", 3);
-  find(view.node_stretch, "node_stretch", 2);
-  find(view.node_tile, "node_tile", 2);
-  find(view.edges, "edges", 2);
-  find(view.anchors, "anchors", 4);
-  find(view.check_poses, "check_poses", 6);
-  if (error) return tl::unexpected(*error);
-
-  const std::size_t nodes = view.node_blueprint.rows;
-  if (view.node_slam.rows != nodes || view.node_stretch.rows != nodes || view.node_tile.rows != nodes) {
+  });
+  if (error) return tl::unexpected<Error>(*error);
+  const auto& [blueprint, slam, stretch, tile] = content.nodes;
+  if (blueprint.size() != tile.size() || slam.size() != tile.size() || stretch.size() != tile.size()) {
     return malformed(file_name, "has node arrays of different lengths");
   }
-  const std::uint32_t* edges = view.edges.numbers;
-  if (std::any_of(edges, edges + 2 * view.edges.rows, [nodes](std::uint32_t node) { return node >= nodes; })) {
-    return malformed(file_name, "has an edge to a node that does not exist");
+  std::vector<Destination> destinations;
+  for (const auto& [name, entry] : header.arrays) {
+    const auto known = memory.find(name);
+    destinations.push_back({entry.begin, entry.end - entry.begin, known == memory.end() ? nullptr : known->second});
   }
-  if (!allFinite(view.anchors, 4)) return malformed(file_name, "has an anchor that is not finite");
-  if (!allFinite(view.check_poses, 6)) return malformed(file_name, "has a check pose that is not finite");
-  const auto seal = layout->header.metadata.find(kDataSealKey);
-  if (seal == layout->header.metadata.end()) return malformed(file_name, "has no data_sha256");
-  view.data_sha256 = seal->second;
-  return view;
+  std::sort(destinations.begin(), destinations.end(),
+            [](const Destination& a, const Destination& b) { return a.begin < b.begin; });
+  return destinations;
 }
 
-CheckPose checkPoseOf(const double* row) {
-  return {Pose2{{row[0], row[1]}, row[2]}, Pose2{{row[3], row[4]}, row[5]}};
+/// Reads the data section from front to end, each array straight into its own memory, so that nothing of the file is
+/// there twice. Gives the SHA-256 of all bytes.
+Result<std::string> readData(ByteSource& source, const std::vector<Destination>& destinations) {
+  Sha256 hash;
+  std::vector<char> unknown;
+  for (const Destination& to : destinations) {
+    if (to.memory == nullptr) unknown.resize(kSliceBytes);
+    for (std::uint64_t done = 0; done < to.bytes;) {
+      const auto count = static_cast<std::size_t>(std::min<std::uint64_t>(kSliceBytes, to.bytes - done));
+      char* slice = to.memory == nullptr ? unknown.data() : to.memory + done;
+      if (const Result<void> read = source.read(slice, count); !read) return failAs(read);
+      hash.add(slice, count);
+      done += count;
+    }
+  }
+  return hash.finish();
+}
+
+template <std::size_t columns>
+bool allFinite(const LargeVector<std::array<double, columns>>& rows) {
+  return std::all_of(rows.begin(), rows.end(), [](const auto& row) {
+    return std::all_of(row.begin(), row.end(), [](double x) { return std::isfinite(x); });
+  });
+}
+
+/// Everything but the nodes, which Projector::create() checks.
+Result<void> checkRows(const ProjectorContent& content, const std::string& file_name) {
+  const std::size_t nodes = content.nodes.node_tile.size();
+  for (const std::array<std::uint32_t, 2>& edge : content.edges) {
+    if (edge[0] >= nodes || edge[1] >= nodes) {
+      return malformed(file_name, "has an edge to a node that does not exist");
+    }
+  }
+  if (!allFinite(content.anchors)) return malformed(file_name, "has an anchor that is not finite");
+  if (!allFinite(content.check_poses)) return malformed(file_name, "has a check pose that is not finite");
+  return {};
+}
+
+Result<ProjectorContent> readContent(ByteSource& source) {
+  const std::string& file_name = source.name();
+  const Result<ProjectorHeader> header = readProjectorHeader(source);
+  if (!header) return failAs(header);
+  Result<ProjectorInfo> info = infoOf(header->metadata, file_name);
+  if (!info) return failAs(info);
+  if (!headerSealHolds(*header)) return malformed(file_name, "is damaged: its header was changed");
+  const auto seal = header->metadata.find(kDataSealKey);
+  if (seal == header->metadata.end()) return malformed(file_name, "has no data_sha256");
+
+  ProjectorContent content;
+  content.info = std::move(*info);
+  const Result<std::vector<Destination>> destinations = makeRoom(content, *header, file_name);
+  if (!destinations) return failAs(destinations);
+  const Result<std::string> hash = readData(source, *destinations);
+  if (!hash) return failAs(hash);
+  if (*hash != seal->second) {
+    return malformed(file_name, "is damaged: its data do not have the SHA-256 they should");
+  }
+  if (const Result<void> checked = checkRows(content, file_name); !checked) return failAs(checked);
+  return content;
+}
+
+std::vector<CheckPose> checksOf(const ProjectorContent& content) {
+  std::vector<CheckPose> checks;
+  for (const auto& [x, y, heading, slam_x, slam_y, slam_heading] : content.check_poses) {
+    checks.push_back({Pose2{{x, y}, heading}, Pose2{{slam_x, slam_y}, slam_heading}});
+  }
+  return checks;
 }
 
 bool isNear(const Pose2& a, const Pose2& b) {
@@ -163,73 +213,32 @@ Result<void> proveItself(const Projector& projector, const std::vector<CheckPose
   return {};
 }
 
-std::vector<CheckPose> checksOf(const ProjectorView& view) {
-  std::vector<CheckPose> checks(view.check_poses.rows);
-  for (std::size_t k = 0; k < checks.size(); ++k) checks[k] = checkPoseOf(view.check_poses.numbers + 6 * k);
-  return checks;
-}
-
-/// Builds the projector and hashes the data at the same time: both read everything once. Building may see bytes that
-/// the hash then refuses; Projector::create() takes any bytes.
-/// `after_hash` is told when a part of the data is not needed any more.
-Result<Projector> projectorOf(const ProjectorView& view, const std::string& file_name,
-                              const std::function<void(std::string_view)>& after_hash) {
-  const auto hash = [&view, &after_hash] {
-    const bool holds = sha256Hex(view.data.data(), view.data.size()) == view.data_sha256;
-    if (after_hash) after_hash(view.edges.bytes);
-    return holds;
-  };
-  std::future<bool> seal_holds;
-  if (view.data.size() >= kWorthAThread) {
-    try {
-      seal_holds = std::async(std::launch::async, hash);
-    } catch (const std::system_error&) {
-      // No thread to be had: one after the other, then.
-    }
-  }
-  if (!seal_holds.valid()) seal_holds = std::async(std::launch::deferred, hash);
-  Result<Projector> projector = Projector::create(view.info, view.arrays());
-  if (!seal_holds.get()) return malformed(file_name, "is damaged: its data do not have the SHA-256 they should");
+/// Uses the content up.
+Result<Projector> projectorOf(ProjectorContent&& content, const std::string& file_name) {
+  freeMemory(content.edges);  // of no use for the function, and as large as the nodes
+  const Result<Projector> projector = Projector::create(content.info, std::move(content.nodes));
   if (!projector) return fail(projector.error().code, projector.error().message, file_name);
-  if (const Result<void> proof = proveItself(*projector, checksOf(view), file_name); !proof) return failAs(proof);
+  if (const Result<void> proof = proveItself(*projector, checksOf(content), file_name); !proof) return failAs(proof);
   return projector;
 }
 
-Result<Projector> loadBytes(std::string_view bytes, const std::string& file_name,
-                            const std::function<void(std::string_view)>& after_hash) {
-  const Result<ProjectorView> view = openView(bytes, file_name);
-  if (!view) return failAs(view);
-  return projectorOf(*view, file_name, after_hash);
+Result<Projector> functionOf(ByteSource& source) {
+  Result<ProjectorContent> content = readContent(source);
+  if (!content) return failAs(content);
+  return projectorOf(std::move(*content), source.name());
 }
 
-Result<ProjectorData> dataOf(std::string_view bytes, const std::string& file_name) {
-  Result<ProjectorView> view = openView(bytes, file_name);
-  if (!view) return failAs(view);
-  const Result<Projector> projector = projectorOf(*view, file_name, {});
-  if (!projector) return failAs(projector);
-
+Result<ProjectorData> dataOf(ByteSource& source) {
+  Result<ProjectorContent> content = readContent(source);
+  if (!content) return failAs(content);
   ProjectorData data;
-  data.info = std::move(view->info);
-  const std::size_t nodes = view->node_blueprint.rows;
-  data.node_blueprint.resize(nodes);
-  data.node_slam.resize(nodes);
-  data.node_stretch.resize(nodes);
-  data.node_tile.resize(nodes);
-  for (std::size_t k = 0; k < nodes; ++k) {
-    const double* slam = view->node_slam.numbers + 3 * k;
-    data.node_blueprint[k] = {view->node_blueprint.numbers[2 * k], view->node_blueprint.numbers[2 * k + 1]};
-    data.node_slam[k] = Pose2{{slam[0], slam[1]}, slam[2]};
-    data.node_stretch[k] = {view->node_stretch.numbers[2 * k], view->node_stretch.numbers[2 * k + 1]};
-    data.node_tile[k] = {view->node_tile.numbers[2 * k], view->node_tile.numbers[2 * k + 1]};
-  }
-  data.edges.resize(view->edges.rows);
-  for (std::size_t k = 0; k < data.edges.size(); ++k)
-    std::copy_n(view->edges.numbers + 2 * k, 2, data.edges[k].begin());
-  data.anchors.resize(view->anchors.rows);
-  for (std::size_t k = 0; k < data.anchors.size(); ++k) {
-    std::copy_n(view->anchors.numbers + 4 * k, 4, data.anchors[k].begin());
-  }
-  data.check_poses = checksOf(*view);
+  data.info = content->info;
+  setNodes(data, content->nodes);
+  data.edges.assign(content->edges.begin(), content->edges.end());
+  data.anchors.assign(content->anchors.begin(), content->anchors.end());
+  data.check_poses = checksOf(*content);
+  const Result<Projector> projector = projectorOf(std::move(*content), source.name());
+  if (!projector) return failAs(projector);
   return data;
 }
 
@@ -246,13 +255,14 @@ auto withinMemory(const Read& read) -> decltype(read()) {
 /// Collects arrays one behind the other and describes them.
 class DataSection {
  public:
-  template <class Number>
-  void add(const char* name, std::size_t rows, std::size_t columns, const std::vector<Number>& numbers) {
+  template <class Row>
+  void add(const char* name, const LargeVector<Row>& rows) {
+    using Number = typename NumberOf<Row>::Type;
     ArrayEntry& entry = header_.arrays[name];
     entry.dtype = kDtype<Number>;
-    entry.shape = {rows, columns};
+    entry.shape = {rows.size(), sizeof(Row) / sizeof(Number)};
     entry.begin = bytes_.size();
-    if (!numbers.empty()) bytes_.append(reinterpret_cast<const char*>(numbers.data()), numbers.size() * sizeof(Number));
+    if (!rows.empty()) bytes_.append(reinterpret_cast<const char*>(rows.data()), rows.size() * sizeof(Row));
     entry.end = bytes_.size();
   }
   /// The whole file. Too long a note is the only thing that can make the header too long.
@@ -295,35 +305,16 @@ Result<void> checkWritable(const ProjectorData& data) {
 
 Result<std::string> formatProjectorFile(const ProjectorData& data) {
   if (const Result<void> writable = checkWritable(data); !writable) return failAs(writable);
-  const std::size_t nodes = data.node_blueprint.size();
-  std::vector<double> numbers;
+  ProjectorContent content;
+  content.nodes = arraysOf(data);
+  content.edges.assign(data.edges.begin(), data.edges.end());
+  content.anchors.assign(data.anchors.begin(), data.anchors.end());
+  for (const auto& [in_blueprint, in_slam] : data.check_poses) {
+    content.check_poses.push_back({in_blueprint.translation.x(), in_blueprint.translation.y(), in_blueprint.heading,
+                                   in_slam.translation.x(), in_slam.translation.y(), in_slam.heading});
+  }
   DataSection section;
-  for (const Eigen::Vector2d& center : data.node_blueprint) numbers.insert(numbers.end(), {center.x(), center.y()});
-  section.add("node_blueprint", nodes, 2, numbers);
-  numbers.clear();
-  for (const Pose2& pose : data.node_slam) {
-    numbers.insert(numbers.end(), {pose.translation.x(), pose.translation.y(), pose.heading});
-  }
-  section.add("node_slam", nodes, 3, numbers);
-  numbers.clear();
-  for (const Eigen::Vector2d& stretch : data.node_stretch) numbers.insert(numbers.end(), {stretch.x(), stretch.y()});
-  section.add("node_stretch", nodes, 2, numbers);
-  std::vector<std::int32_t> tiles;
-  for (const TileCoordinate& tile : data.node_tile) tiles.insert(tiles.end(), {tile.column, tile.row});
-  section.add("node_tile", nodes, 2, tiles);
-  std::vector<std::uint32_t> edges;
-  for (const std::array<std::uint32_t, 2>& edge : data.edges) edges.insert(edges.end(), edge.begin(), edge.end());
-  section.add("edges", data.edges.size(), 2, edges);
-  numbers.clear();
-  for (const std::array<double, 4>& anchor : data.anchors) numbers.insert(numbers.end(), anchor.begin(), anchor.end());
-  section.add("anchors", data.anchors.size(), 4, numbers);
-  numbers.clear();
-  for (const CheckPose& check : data.check_poses) {
-    for (const Pose2& pose : {check.in_blueprint, check.in_slam}) {
-      numbers.insert(numbers.end(), {pose.translation.x(), pose.translation.y(), pose.heading});
-    }
-  }
-  section.add("check_poses", data.check_poses.size(), 6, numbers);
+  content.forEachArray([&section](const char* name, const auto& rows) { section.add(name, rows); });
   return section.seal(metadataOf(data.info));
 }
 
@@ -334,27 +325,33 @@ Result<void> writeProjectorFile(const std::filesystem::path& path, const Project
 }
 
 Result<ProjectorData> parseProjectorFile(std::string_view bytes, const std::string& file_name) {
-  return withinMemory([&] { return dataOf(bytes, file_name); });
+  return withinMemory([&] {
+    ByteSource source = ByteSource::ofMemory(bytes, file_name);
+    return dataOf(source);
+  });
 }
 
 Result<ProjectorData> readProjectorFile(const std::filesystem::path& path) {
   return withinMemory([&]() -> Result<ProjectorData> {
-    const Result<MappedFile> file = MappedFile::open(path);
-    if (!file) return failAs(file);
-    return dataOf(file->bytes(), path.string());
+    Result<ByteSource> source = ByteSource::ofFile(path);
+    if (!source) return failAs(source);
+    return dataOf(*source);
   });
 }
 
 Result<Projector> loadProjector(const std::filesystem::path& path) {
   return withinMemory([&]() -> Result<Projector> {
-    const Result<MappedFile> file = MappedFile::open(path);
-    if (!file) return failAs(file);
-    return loadBytes(file->bytes(), path.string(), [&file](std::string_view part) { file->release(part); });
+    Result<ByteSource> source = ByteSource::ofFile(path);
+    if (!source) return failAs(source);
+    return functionOf(*source);
   });
 }
 
 Result<Projector> loadProjector(std::string_view bytes, const std::string& file_name) {
-  return withinMemory([&] { return loadBytes(bytes, file_name, {}); });
+  return withinMemory([&] {
+    ByteSource source = ByteSource::ofMemory(bytes, file_name);
+    return functionOf(source);
+  });
 }
 
 }  // namespace cad2slam

@@ -39,7 +39,9 @@ inline constexpr int kProjectorFormatMinor = 0;
 [[nodiscard]] Result<ProjectorData> parseProjectorFile(std::string_view bytes, const std::string& file_name);
 [[nodiscard]] Result<ProjectorData> readProjectorFile(const std::filesystem::path& path);
 
-/// Only the function, straight from the mapped file, with the same checks. This is what robots call.
+/// Only the function, with the same checks. This is what robots call. The file is read once, straight into
+/// place, and closed; what another program does to it meanwhile can make it a damaged file, and nothing worse (a mapped
+/// file that is cut would end the process).
 [[nodiscard]] Result<Projector> loadProjector(const std::filesystem::path& path);
 [[nodiscard]] Result<Projector> loadProjector(std::string_view bytes, const std::string& file_name);
 

@@ -186,29 +186,30 @@ std::string rangeComplaint(const ProjectorHeader& header, std::uint64_t data_byt
 
 }  // namespace
 
-Result<ProjectorLayout> parseProjectorLayout(std::string_view bytes, const std::string& file_name) {
-  const auto malformed = [&file_name](std::string message) {
-    return fail(ErrorCode::kMalformed, std::move(message), file_name);
+Result<ProjectorHeader> readProjectorHeader(ByteSource& source) {
+  const auto malformed = [&source](std::string message) {
+    return fail(ErrorCode::kMalformed, std::move(message), source.name());
   };
-  if (bytes.size() < kLengthBytes)
-    return malformed("is no projector file: it has only " + std::to_string(bytes.size()) + " bytes");
+  std::array<char, kLengthBytes> prefix{};
+  if (source.remaining() < prefix.size()) {
+    return malformed("is no projector file: it has only " + std::to_string(source.remaining()) + " bytes");
+  }
+  if (const Result<void> read = source.read(prefix.data(), prefix.size()); !read) return failAs(read);
   std::uint64_t length = 0;
-  for (std::size_t k = kLengthBytes; k-- > 0;) length = (length << 8) | static_cast<unsigned char>(bytes[k]);
+  for (std::size_t k = prefix.size(); k-- > 0;) length = (length << 8) | static_cast<unsigned char>(prefix[k]);
   if (length > kLargestProjectorHeader) return malformed("is no projector file: its header would be too long");
-  if (length > bytes.size() - kLengthBytes) return malformed("is cut off inside its header");
-  const std::string_view text = bytes.substr(kLengthBytes, length);
+  if (length > source.remaining()) return malformed("is cut off inside its header");
+  std::string text(static_cast<std::size_t>(length), '\0');
+  if (const Result<void> read = source.read(text.data(), text.size()); !read) return failAs(read);
   // The parser takes a zero byte for the end of the text; nothing may hide behind it.
-  if (text.find('\0') != std::string_view::npos) return malformed("is no projector file: zero bytes in its header");
+  if (text.find('\0') != std::string::npos) return malformed("is no projector file: zero bytes in its header");
 
   HeaderReader reader;
-  if (!json::sax_parse(text.begin(), text.end(), &reader)) return malformed("has a header that " + reader.complaint());
-  ProjectorLayout layout;
-  layout.header = reader.takeHeader();
-  layout.data_begin = kLengthBytes + text.size();
-  layout.data = bytes.substr(layout.data_begin);
-  const std::string complaint = rangeComplaint(layout.header, layout.data.size());
+  if (!json::sax_parse(text, &reader)) return malformed("has a header that " + reader.complaint());
+  ProjectorHeader header = reader.takeHeader();
+  const std::string complaint = rangeComplaint(header, source.remaining());
   if (!complaint.empty()) return malformed(complaint);
-  return layout;
+  return header;
 }
 
 std::string formatProjectorHeader(const ProjectorHeader& header) {

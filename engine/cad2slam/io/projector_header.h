@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "cad2slam/core/result.h"
+#include "cad2slam/io/byte_source.h"
 
 namespace cad2slam {
 
@@ -27,19 +28,12 @@ struct ProjectorHeader {
   std::map<std::string, std::string> metadata;
 };
 
-/// Where the parts of a file lie.
-struct ProjectorLayout {
-  ProjectorHeader header;
-  std::size_t data_begin = 0;  ///< [bytes] from the start of the file
-  std::string_view data;
-};
-
 inline constexpr std::size_t kLargestProjectorHeader = std::size_t{1} << 20;
 
-/// Splits the bytes of a file and checks all that holds for any safetensors file, and no more than that: the length of
-/// the header, its flat shape, no name twice, known types, shape times type fits the range, and the ranges cover the
-/// data section exactly, without overlap or gap. kMalformed names what is wrong.
-[[nodiscard]] Result<ProjectorLayout> parseProjectorLayout(std::string_view bytes, const std::string& file_name);
+/// Reads a file up to its data section and checks all that holds for any safetensors file, and no more than that: the
+/// length of the header, its flat shape, no name twice, known types, shape times type fits the range, and the ranges
+/// cover the rest of the file exactly, without overlap or gap. kMalformed names what is wrong.
+[[nodiscard]] Result<ProjectorHeader> readProjectorHeader(ByteSource& source);
 
 /// Compact JSON with sorted keys: what json.dumps(header, sort_keys=True, separators=(",", ":"), ensure_ascii=False)
 /// gives in Python. Bytes that are no UTF-8 become U+FFFD.

@@ -31,43 +31,42 @@ void require(int openssl_result) {
   if (openssl_result != 1) throw std::bad_alloc();
 }
 
-class Hasher {
- public:
-  Hasher() : context_(EVP_MD_CTX_new()) {
-    require(context_ != nullptr && EVP_DigestInit_ex(context_.get(), EVP_sha256(), nullptr) == 1);
-  }
-  void add(const void* bytes, std::size_t count) { require(EVP_DigestUpdate(context_.get(), bytes, count)); }
-  [[nodiscard]] std::string finish() {
-    Digest digest{};
-    require(EVP_DigestFinal_ex(context_.get(), digest.data(), nullptr));
-    return hexOf(digest);
-  }
-
- private:
-  struct Free {
-    void operator()(EVP_MD_CTX* context) const { EVP_MD_CTX_free(context); }
-  };
-  std::unique_ptr<EVP_MD_CTX, Free> context_;
-};
-
 }  // namespace
 
+void Sha256::Free::operator()(evp_md_ctx_st* context) const {
+  EVP_MD_CTX_free(context);
+}
+
+Sha256::Sha256() : context_(EVP_MD_CTX_new()) {
+  require(context_ != nullptr && EVP_DigestInit_ex(context_.get(), EVP_sha256(), nullptr) == 1);
+}
+
+void Sha256::add(const void* bytes, std::size_t count) {
+  require(EVP_DigestUpdate(context_.get(), bytes, count));
+}
+
+std::string Sha256::finish() {
+  Digest digest{};
+  require(EVP_DigestFinal_ex(context_.get(), digest.data(), nullptr));
+  return hexOf(digest);
+}
+
 std::string sha256Hex(const void* bytes, std::size_t count) {
-  Hasher hasher;
-  hasher.add(bytes, count);
-  return hasher.finish();
+  Sha256 hash;
+  hash.add(bytes, count);
+  return hash.finish();
 }
 
 Result<std::string> sha256HexOfFile(const std::filesystem::path& path) {
   Result<FileDescriptor> file = openRegularFile(path);
   if (!file) return failAs(file);
-  Hasher hasher;
+  Sha256 hash;
   std::vector<char> buffer(std::size_t{1} << 18);
   while (true) {
     const Result<std::size_t> count = file->read(buffer.data(), buffer.size());
     if (!count) return failAs(count);
-    if (*count == 0) return hasher.finish();
-    hasher.add(buffer.data(), *count);
+    if (*count == 0) return hash.finish();
+    hash.add(buffer.data(), *count);
   }
 }
 

@@ -101,6 +101,7 @@ TileCoordinate TileIndex::nearestTile(const Eigen::Vector2d& cells) const {
 LargeVector<std::uint32_t> TileIndex::renumberInMemoryOrder() {
   LargeVector<std::uint32_t> first_nodes(block_count_);
   LargeVector<std::uint32_t> old_numbers;
+  old_numbers.reserve(node_count_);
   for (std::size_t block = 0; block < block_count_; ++block) {
     first_nodes[block] = static_cast<std::uint32_t>(old_numbers.size());
     for (std::size_t inner = 0; inner < kBlockTiles; ++inner) {
@@ -111,7 +112,7 @@ LargeVector<std::uint32_t> TileIndex::renumberInMemoryOrder() {
   for (Slot& slot : slots_) {
     if (slot.block != kNone) slot.first_node = first_nodes[slot.block];
   }
-  nodes_of_blocks_ = {};
+  freeMemory(nodes_of_blocks_);
   return old_numbers;
 }
 
@@ -131,6 +132,7 @@ bool TileIndex::insert(const TileCoordinate& tile, std::uint32_t node) {
   const std::int32_t inner = ((tile.row & kMask) << kShift) | (tile.column & kMask);
   if ((slot.occupied >> inner & 1U) != 0) return false;
   slot.occupied |= std::uint64_t{1} << inner;
+  ++node_count_;
   nodes_of_blocks_[slot.block * kBlockTiles + static_cast<std::size_t>(inner)] = node;
   return true;
 }

@@ -94,6 +94,7 @@ class TileIndex {
   LargeVector<Slot> slots_;  // open addressing, size is a power of two, at most half full
   std::size_t slot_mask_ = 0;
   std::size_t block_count_ = 0;
+  std::size_t node_count_ = 0;
   LargeVector<std::uint32_t> nodes_of_blocks_;  // empty once the nodes are numbered in memory order
 };
 

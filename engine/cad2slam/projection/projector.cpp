@@ -47,11 +47,25 @@ tl::unexpected<Error> malformedNode(std::size_t node, const std::string& what) {
   return fail(ErrorCode::kMalformed, "node " + std::to_string(node) + " of the projector " + what);
 }
 
+Result<void> checkInfo(const ProjectorInfo& info) {
+  const TileLattice& lattice = info.lattice;
+  if (!(lattice.cell_size > 0.0) || !std::isfinite(lattice.cell_size) || !lattice.blueprint_from_lattice.isFinite()) {
+    return fail(ErrorCode::kMalformed, "the projector has no finite, positive cell size and finite origin");
+  }
+  if (!(info.scale > 0.0) || !std::isfinite(info.scale)) {
+    return fail(ErrorCode::kMalformed, "the projector has no finite, positive scale");
+  }
+  if (!(info.radius_m > 0.0) || !(info.radius_m <= 1000.0 * lattice.cell_size)) {
+    return fail(ErrorCode::kMalformed, "the radius of the projector is not between 0 and 1000 cells");
+  }
+  return {};
+}
+
 }  // namespace
 
 class Projector::Impl {
  public:
-  static Result<std::shared_ptr<const Impl>> create(const ProjectorInfo& info, const ProjectorArrays& arrays);
+  static Result<std::shared_ptr<const Impl>> create(const ProjectorInfo& info, ProjectorArrays&& arrays);
 
   [[nodiscard]] Projection forward(const Pose2& pose, OutsidePolicy outside) const;
   [[nodiscard]] Projection backward(const Pose2& pose, OutsidePolicy outside, const Vector2d* hint) const;
@@ -76,6 +90,9 @@ class Projector::Impl {
     bool inside = false;
   };
 
+  /// Numbers the nodes in the order in which they lie in memory. Gives the row in the file of each.
+  [[nodiscard]] Result<LargeVector<std::uint32_t>> placeTiles(const LargeVector<TileCoordinate>& tiles);
+  [[nodiscard]] Result<void> placeNodes(const ProjectorArrays& arrays, const LargeVector<std::uint32_t>& file_order);
   [[nodiscard]] Vector2d cellsOf(const Vector2d& point) const { return cells_from_blueprint_ * point + cells_offset_; }
   [[nodiscard]] bool tileOf(const Vector2d& cells, TileCoordinate& tile) const;
   [[nodiscard]] Blend blendSmooth(const Vector2d& point, const Vector2d& cells, const TileCoordinate& tile) const;
@@ -115,68 +132,71 @@ class Projector::Impl {
 };
 
 Result<std::shared_ptr<const Projector::Impl>> Projector::Impl::create(const ProjectorInfo& info,
-                                                                       const ProjectorArrays& arrays) {
-  const TileLattice& lattice = info.lattice;
-  if (!(lattice.cell_size > 0.0) || !std::isfinite(lattice.cell_size) || !lattice.blueprint_from_lattice.isFinite()) {
-    return fail(ErrorCode::kMalformed, "the projector has no finite, positive cell size and finite origin");
+                                                                       ProjectorArrays&& arrays) {
+  if (const Result<void> checked = checkInfo(info); !checked) return failAs(checked);
+  const std::size_t count = arrays.node_tile.size();
+  if (arrays.node_blueprint.size() != count || arrays.node_slam.size() != count ||
+      arrays.node_stretch.size() != count) {
+    return fail(ErrorCode::kMalformed, "the projector's node arrays differ in length");
   }
-  if (!(info.scale > 0.0) || !std::isfinite(info.scale)) {
-    return fail(ErrorCode::kMalformed, "the projector has no finite, positive scale");
-  }
-  if (!(info.radius_m > 0.0) || !(info.radius_m <= 1000.0 * lattice.cell_size)) {
-    return fail(ErrorCode::kMalformed, "the radius of the projector is not between 0 and 1000 cells");
-  }
-  if (arrays.node_count == 0) return fail(ErrorCode::kMalformed, "the projector has no node");
-  if (arrays.node_count >= TileIndex::kNone) return fail(ErrorCode::kMalformed, "the projector has too many nodes");
+  if (count == 0) return fail(ErrorCode::kMalformed, "the projector has no node");
+  if (count >= TileIndex::kNone) return fail(ErrorCode::kMalformed, "the projector has too many nodes");
 
+  const TileLattice& lattice = info.lattice;
   auto impl = std::make_shared<Impl>();
   impl->info = info;
   impl->cells_from_blueprint_ = rotationMatrix(-lattice.blueprint_from_lattice.heading) / lattice.cell_size;
   impl->cells_offset_ = -(impl->cells_from_blueprint_ * lattice.blueprint_from_lattice.translation);
 
-  static_assert(sizeof(TileCoordinate) == 2 * sizeof(std::int32_t));
-  const auto* tiles = reinterpret_cast<const TileCoordinate*>(arrays.node_tile);
-  for (std::size_t i = 0; i < arrays.node_count; ++i) {
-    if (std::abs(static_cast<double>(tiles[i].column)) > kLargestCell ||
-        std::abs(static_cast<double>(tiles[i].row)) > kLargestCell) {
-      return malformedNode(i, "lies on a tile outside any building");
-    }
-  }
-  std::optional<TileIndex> index = TileIndex::create(lattice, tiles, arrays.node_count);
-  if (!index) return fail(ErrorCode::kMalformed, "the projector has two nodes on one tile");
-  impl->index_ = std::move(*index);
+  // From here on it matters what is in memory at the same time.
+  const Result<LargeVector<std::uint32_t>> file_order = impl->placeTiles(arrays.node_tile);
+  if (!file_order) return failAs(file_order);
+  freeMemory(arrays.node_tile);
+  if (const Result<void> placed = impl->placeNodes(arrays, *file_order); !placed) return failAs(placed);
+  freeMemory(arrays.node_blueprint);
+  freeMemory(arrays.node_stretch);
+  const auto placeOf = [&](std::size_t i) { return Vector2d(arrays.node_slam[(*file_order)[i]].data()); };
+  impl->seeds_ = SpatialHash(count, placeOf, 2.0 * info.scale * lattice.cell_size);
+  freeMemory(arrays.node_slam);
+  impl->fold_memory_ = std::make_unique<FoldMemory[]>(count);
+  return impl;
+}
 
-  const LargeVector<std::uint32_t> file_order = impl->index_.renumberInMemoryOrder();
-  impl->nodes.resize(arrays.node_count);
-  impl->tiles_.resize(arrays.node_count);
-  if (info.weights == BlendWeights::kPaper) impl->centers_.resize(arrays.node_count);
-  for (std::size_t i = 0; i < arrays.node_count; ++i) {
+Result<LargeVector<std::uint32_t>> Projector::Impl::placeTiles(const LargeVector<TileCoordinate>& tiles) {
+  const auto isFar = [](std::int32_t number) { return std::abs(static_cast<double>(number)) > kLargestCell; };
+  for (std::size_t i = 0; i < tiles.size(); ++i) {
+    if (isFar(tiles[i].column) || isFar(tiles[i].row)) return malformedNode(i, "lies on a tile outside any building");
+  }
+  std::optional<TileIndex> index = TileIndex::create(info.lattice, tiles.data(), tiles.size());
+  if (!index) return fail(ErrorCode::kMalformed, "the projector has two nodes on one tile");
+  index_ = std::move(*index);
+  LargeVector<std::uint32_t> file_order = index_.renumberInMemoryOrder();
+  tiles_.resize(tiles.size());
+  for (std::size_t i = 0; i < tiles.size(); ++i) tiles_[i] = tiles[file_order[i]];
+  return file_order;
+}
+
+Result<void> Projector::Impl::placeNodes(const ProjectorArrays& arrays, const LargeVector<std::uint32_t>& file_order) {
+  nodes.resize(file_order.size());
+  if (info.weights == BlendWeights::kPaper) centers_.resize(file_order.size());
+  for (std::size_t i = 0; i < file_order.size(); ++i) {
     const std::size_t row = file_order[i];
-    const Vector2d center(arrays.node_blueprint[2 * row], arrays.node_blueprint[2 * row + 1]);
-    const Vector2d in_slam(arrays.node_slam[3 * row], arrays.node_slam[3 * row + 1]);
-    const double heading = arrays.node_slam[3 * row + 2];
-    const Vector2d stretch(arrays.node_stretch[2 * row], arrays.node_stretch[2 * row + 1]);
+    const Vector2d center(arrays.node_blueprint[row].data());
+    const Vector2d in_slam(arrays.node_slam[row].data());
+    const double heading = arrays.node_slam[row][2];
+    const Vector2d stretch(arrays.node_stretch[row].data());
     if (!center.allFinite() || !in_slam.allFinite() || !std::isfinite(heading) || !stretch.allFinite()) {
       return malformedNode(row, "is not finite");
     }
     if (stretch.cwiseAbs().maxCoeff() > kLargestStretch) return malformedNode(row, "is stretched beyond reason");
-    const TileCoordinate tile = tiles[row];
-    const Vector2d off_middle = impl->cellsOf(center) - Vector2d(tile.column + 0.5, tile.row + 0.5);
+    const Vector2d off_middle = cellsOf(center) - Vector2d(tiles_[i].column + 0.5, tiles_[i].row + 0.5);
     if (off_middle.cwiseAbs().maxCoeff() > 1.0) return malformedNode(row, "does not lie on its tile");
-    NodePrediction& node = impl->nodes[i];
     const Vector2d factors = info.scale * stretch.array().exp().matrix();
-    node.linear = rotationMatrix(heading) * factors.asDiagonal();
-    node.offset = in_slam - node.linear * center;
-    impl->tiles_[i] = tile;
-    if (!impl->centers_.empty()) impl->centers_[i] = center;
+    nodes[i].linear = rotationMatrix(heading) * factors.asDiagonal();
+    nodes[i].offset = in_slam - nodes[i].linear * center;
+    if (!centers_.empty()) centers_[i] = center;
   }
-  const auto placeOf = [&](std::size_t i) {
-    const double* pose = arrays.node_slam + 3 * std::size_t{file_order[i]};
-    return Vector2d(pose[0], pose[1]);
-  };
-  impl->seeds_ = SpatialHash(arrays.node_count, placeOf, 2.0 * info.scale * lattice.cell_size);
-  impl->fold_memory_ = std::make_unique<FoldMemory[]>(arrays.node_count);
-  return impl;
+  return {};
 }
 
 bool Projector::Impl::tileOf(const Vector2d& cells, TileCoordinate& tile) const {
@@ -427,27 +447,14 @@ std::vector<Vector2d> Projector::Impl::tileMiddles() const {
   return middles;
 }
 
-Result<Projector> Projector::create(const ProjectorInfo& info, const ProjectorArrays& arrays) {
-  Result<std::shared_ptr<const Impl>> impl = Impl::create(info, arrays);
+Result<Projector> Projector::create(const ProjectorInfo& info, ProjectorArrays&& arrays) {
+  Result<std::shared_ptr<const Impl>> impl = Impl::create(info, std::move(arrays));
   if (!impl) return failAs(impl);
   return Projector(std::move(*impl));
 }
 
 Result<Projector> Projector::create(const ProjectorData& data) {
-  const std::size_t n = data.node_blueprint.size();
-  if (data.node_slam.size() != n || data.node_stretch.size() != n || data.node_tile.size() != n) {
-    return fail(ErrorCode::kMalformed, "the projector's node arrays differ in length");
-  }
-  std::vector<double> slam;
-  slam.reserve(3 * n);
-  for (const Pose2& pose : data.node_slam) {
-    slam.insert(slam.end(), {pose.translation.x(), pose.translation.y(), pose.heading});
-  }
-  static_assert(sizeof(Vector2d) == 2 * sizeof(double));
-  const auto* blueprint = reinterpret_cast<const double*>(data.node_blueprint.data());
-  const auto* stretch = reinterpret_cast<const double*>(data.node_stretch.data());
-  const auto* tile = reinterpret_cast<const std::int32_t*>(data.node_tile.data());
-  return create(data.info, {n, blueprint, slam.data(), stretch, tile});
+  return create(data.info, arraysOf(data));
 }
 
 const ProjectorInfo& Projector::info() const noexcept {

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "cad2slam/core/result.h"
+#include "cad2slam/projection/projector_arrays.h"
 #include "cad2slam/projection/projector_data.h"
 
 namespace cad2slam {
@@ -32,15 +33,6 @@ struct Projection {
   }
 };
 
-/// Raw arrays of a projector, as they lie in a file. Nothing is owned; only create() reads them.
-struct ProjectorArrays {
-  std::size_t node_count = 0;
-  const double* node_blueprint = nullptr;   ///< [n, 2]
-  const double* node_slam = nullptr;        ///< [n, 3]
-  const double* node_stretch = nullptr;     ///< [n, 2]
-  const std::int32_t* node_tile = nullptr;  ///< [n, 2]
-};
-
 /// Projects poses between the blueprint frame and the SLAM frame through one solved mesh (paper eq. 1 and 2).
 ///
 /// Each node i predicts p_slam = t_i + s R(theta_i) diag(exp(a_i)) (p - t_i^b); positions are the weighted mean of the
@@ -52,7 +44,8 @@ struct ProjectorArrays {
 class Projector {
  public:
   /// kMalformed: sizes differ, a number is not finite, a tile stands twice, a centre lies off its tile, |stretch| > 5.
-  [[nodiscard]] static Result<Projector> create(const ProjectorInfo& info, const ProjectorArrays& arrays);
+  /// Each array is freed as soon as it has been used: with a million nodes it matters how much is there at once.
+  [[nodiscard]] static Result<Projector> create(const ProjectorInfo& info, ProjectorArrays&& arrays);
   [[nodiscard]] static Result<Projector> create(const ProjectorData& data);
 
   [[nodiscard]] const ProjectorInfo& info() const noexcept;

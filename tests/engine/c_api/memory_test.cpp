@@ -3,6 +3,10 @@
 #include <QTemporaryDir>
 #include <QtTest>
 
+#include <sys/mman.h>
+#include <sys/syscall.h>
+#include <unistd.h>
+
 #include <filesystem>
 #include <optional>
 #include <random>
@@ -51,6 +55,11 @@ void* calloc(std::size_t count, std::size_t size) {
 
 void* aligned_alloc(std::size_t alignment, std::size_t size) {
   return granted(size) ? __libc_memalign(alignment, size) : nullptr;
+}
+
+void* mmap(void* place, std::size_t size, int protection, int flags, int file, off_t offset) {
+  if (!granted(size)) return MAP_FAILED;
+  return reinterpret_cast<void*>(::syscall(SYS_mmap, place, size, protection, flags, file, offset));
 }
 }
 

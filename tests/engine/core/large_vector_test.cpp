@@ -31,6 +31,13 @@ class LargeVectorTest : public QObject {
     for (std::uint32_t k = 0; k < 3000000; k += 999) QCOMPARE(numbers[k], k);
   }
 
+  void freedMemoryIsGone() {
+    LargeVector<std::uint32_t> numbers(3000000);
+    freeMemory(numbers);
+    QVERIFY(numbers.empty());
+    QCOMPARE(numbers.capacity(), std::size_t{0});
+  }
+
   void typesKeepTheirAlignment() {
     struct alignas(64) Line {
       char bytes[64];
@@ -44,6 +51,7 @@ class LargeVectorTest : public QObject {
   void impossibleSizesAreNoOverflow() {
     LargeAllocator<std::uint64_t> allocator;
     QVERIFY_EXCEPTION_THROWN(static_cast<void>(allocator.allocate(~std::size_t{0} / 4)), std::bad_alloc);
+    QVERIFY_EXCEPTION_THROWN(static_cast<void>(allocator.allocate(std::size_t{1} << 57)), std::bad_alloc);
   }
 };
 

@@ -4,11 +4,15 @@
 
 #include <QtTest>
 
+#include <atomic>
 #include <cstring>
+#include <fstream>
 #include <functional>
 #include <limits>
+#include <thread>
 
 #include "cad2slam/io/projector_header.h"
+#include "support/projector_parts.h"
 #include "support/projector_samples.h"
 #include "support/temporary_folder.h"
 
@@ -21,9 +25,7 @@ using Edit = std::function<void(ProjectorHeader&, std::string& data)>;
 /// A good file with something changed, and sealed again: what a program would write that means harm or has a bug.
 std::string edited(const Edit& edit) {
   const std::string bytes = *formatProjectorFile(test::sampleProjector(4, 3));
-  const ProjectorLayout layout = *parseProjectorLayout(bytes, "");
-  ProjectorHeader header = layout.header;
-  std::string data(layout.data);
+  auto [header, data] = *test::partsOf(bytes);
   edit(header, data);
   sealProjectorHeader(header, data);
   return formatProjectorPrefix(header) + data;
@@ -182,11 +184,28 @@ class ProjectorFileTest : public QObject {
     QVERIFY(loadProjector(bytes, "a.c2s").has_value());
   }
 
+  /// What nobody knows is hashed as well, wherever it lies and however long it is.
+  void unknownArraysBeforeTheOthers() {
+    std::string bytes = edited([](ProjectorHeader& header, std::string& data) {
+      constexpr std::size_t kLong = 1000003;  // no multiple of anything: all others lie on odd addresses
+      for (auto& [name, entry] : header.arrays) {
+        entry.begin += kLong;
+        entry.end += kLong;
+      }
+      header.arrays["picture"] = {"U8", {kLong}, 0, kLong};
+      data.insert(0, kLong, 'p');
+    });
+    QVERIFY(test::sameProjector(*parseProjectorFile(bytes, "a.c2s"), test::sampleProjector(4, 3)));
+    char& in_picture = bytes[bytes.size() - 500000];
+    in_picture = 'q';
+    QVERIFY(loadProjector(bytes, "a.c2s").error().message.find("SHA-256") != std::string::npos);
+  }
+
   void withoutSealsItIsNoProjector() {
     const std::string bytes = *formatProjectorFile(test::sampleProjector(3, 1));
-    ProjectorLayout layout = *parseProjectorLayout(bytes, "");
-    layout.header.metadata.erase("header_sha256");
-    QVERIFY(!loadProjector(formatProjectorPrefix(layout.header) + std::string(layout.data), "a.c2s"));
+    auto [header, data] = *test::partsOf(bytes);
+    header.metadata.erase("header_sha256");
+    QVERIFY(!loadProjector(formatProjectorPrefix(header) + data, "a.c2s"));
   }
 
   void dataThatNoReaderTakesAreNotWritten_data() {
@@ -213,13 +232,73 @@ class ProjectorFileTest : public QObject {
     QCOMPARE(folder.read("a.c2s"), std::string("old"));
   }
 
-  void largeFilesAreHashedBesideTheBuilding() {  // another path through the reader
+  void largeFilesAreHashedInSlices() {
     const ProjectorData data = test::sampleProjector(200, 150);
     std::string bytes = *formatProjectorFile(data);
     QVERIFY(bytes.size() > (1U << 20));
     QVERIFY(loadProjector(bytes, "x").has_value());
     bytes.back() = static_cast<char>(bytes.back() ^ 1);
     QVERIFY(loadProjector(bytes, "x").error().message.find("SHA-256") != std::string::npos);
+  }
+
+  /// Our own programs replace files as a whole. One that writes into a file while a robot loads it must neither end the
+  /// robot's process nor give it a function that was never checked.
+  void aFileThatIsRewrittenInPlaceIsReadAsAWholeOrRefused() {
+    const test::TemporaryFolder folder;
+    ProjectorData data = test::sampleProjector(200, 150);
+    const std::string first = *formatProjectorFile(data);
+    for (Pose2& pose : data.node_slam) pose.translation.x() += 1.0;
+    for (CheckPose& check : data.check_poses) check.in_slam.translation.x() += 1.0;
+    const std::string second = *formatProjectorFile(data);
+    QCOMPARE(first.size(), second.size());
+    const std::filesystem::path path = folder.write("a.c2s", first);
+
+    std::atomic<bool> ends{false};
+    std::thread writer([&] {
+      std::fstream file(path, std::ios::binary | std::ios::in | std::ios::out);
+      while (!ends) {
+        for (const std::string* content : {&second, &first}) {
+          file.seekp(0).write(content->data(), static_cast<std::streamsize>(content->size())).flush();
+          std::filesystem::resize_file(path, content->size() / 3);
+        }
+      }
+    });
+    const auto placesOf = [&data](const Projector& projector) {
+      std::vector<Eigen::Vector2d> places;
+      for (const Eigen::Vector2d& center : data.node_blueprint) {
+        places.push_back(projector.slamFromBlueprint({center, 0.0}, OutsidePolicy::kError).pose.translation);
+      }
+      return places;
+    };
+    const std::vector<Eigen::Vector2d> of_first = placesOf(*loadProjector(first, "first"));
+    const std::vector<Eigen::Vector2d> of_second = placesOf(*loadProjector(second, "second"));
+    int mixed = 0;
+    int refused = 0;
+    for (int k = 0; k < 200; ++k) {
+      const Result<Projector> loaded = loadProjector(path);
+      if (!loaded) {
+        ++refused;
+        continue;
+      }
+      const std::vector<Eigen::Vector2d> places = placesOf(*loaded);
+      if (places != of_first && places != of_second) ++mixed;
+    }
+    ends = true;
+    writer.join();
+    QCOMPARE(mixed, 0);
+    QVERIFY(refused > 0);
+  }
+
+  void aLargeFileOfAnotherKindIsRefusedByItsFirstBytes() {
+    const test::TemporaryFolder folder;
+    const std::filesystem::path path = folder.write("map.bag", "#ROSBAG V2.0\n");
+    std::filesystem::resize_file(path, std::uintmax_t{1} << 42);  // of holes; more than any memory
+    QVERIFY(loadProjector(path).error().code == ErrorCode::kMalformed);
+    const std::string good = *formatProjectorFile(test::sampleProjector(4, 3));
+    const std::filesystem::path longer = folder.write("longer.c2s", good);
+    std::filesystem::resize_file(longer, std::uintmax_t{1} << 42);
+    QVERIFY(loadProjector(longer).error().message.find("bytes too many") != std::string::npos);
+    QVERIFY(readProjectorFile(longer).error().code == ErrorCode::kMalformed);
   }
 
   void missingFilesAndFolders() {

@@ -4,6 +4,8 @@
 
 #include <QtTest>
 
+#include "support/projector_parts.h"
+
 using namespace cad2slam;
 
 namespace {
@@ -29,12 +31,12 @@ class ProjectorHeaderTest : public QObject {
     header.arrays["none"] = {"U8", {0, 5}, 24, 24};
     header.metadata = {{"name", "T\xc3\xbcr \"1\"\n"}, {"", "x"}};
     const std::string bytes = formatProjectorPrefix(header) + kData;
-    const Result<ProjectorLayout> layout = parseProjectorLayout(bytes, "a.c2s");
-    QVERIFY2(layout, layout ? "" : layout.error().sentence().c_str());
-    QCOMPARE(layout->data_begin % 64, std::size_t{0});
-    QVERIFY(layout->data == kData);
-    QVERIFY(layout->header.metadata == header.metadata);
-    QCOMPARE(formatProjectorHeader(layout->header), formatProjectorHeader(header));
+    const Result<test::ProjectorParts> parts = test::partsOf(bytes);
+    QVERIFY2(parts, parts ? "" : parts.error().sentence().c_str());
+    QCOMPARE((bytes.size() - parts->data.size()) % 64, std::size_t{0});
+    QVERIFY(parts->data == kData);
+    QVERIFY(parts->header.metadata == header.metadata);
+    QCOMPARE(formatProjectorHeader(parts->header), formatProjectorHeader(header));
     const std::string expected =
         "{\"__metadata__\":{\"\":\"x\",\"name\":\"T\xc3\xbcr \\\"1\\\"\\n\"},"
         "\"a\":{\"data_offsets\":[16,24],\"dtype\":\"I32\",\"shape\":[2]},"
@@ -66,8 +68,8 @@ class ProjectorHeaderTest : public QObject {
   void bytesThatAreNoUnicodeCannotBreakTheText() {
     ProjectorHeader header;
     header.metadata["note"] = "T\xfcr";
-    const Result<ProjectorLayout> layout = parseProjectorLayout(formatProjectorPrefix(header), "a.c2s");
-    QCOMPARE(layout->header.metadata.at("note"), std::string("T\xef\xbf\xbdr"));
+    const Result<test::ProjectorParts> parts = test::partsOf(formatProjectorPrefix(header));
+    QCOMPARE(parts->header.metadata.at("note"), std::string("T\xef\xbf\xbdr"));
   }
 
   void refusesWhatIsNoFlatHeader_data() {
@@ -119,24 +121,24 @@ class ProjectorHeaderTest : public QObject {
   void refusesWhatIsNoFlatHeader() {
     QFETCH(QByteArray, json);
     QFETCH(QString, word);
-    const Result<ProjectorLayout> layout = parseProjectorLayout(fileOf(json.toStdString(), kData), "a.c2s");
-    QVERIFY(!layout);
-    QVERIFY(layout.error().code == ErrorCode::kMalformed);
-    QCOMPARE(layout.error().where, std::string("a.c2s"));
-    QVERIFY2(QString::fromStdString(layout.error().message).contains(word), layout.error().message.c_str());
+    const Result<test::ProjectorParts> parts = test::partsOf(fileOf(json.toStdString(), kData));
+    QVERIFY(!parts);
+    QVERIFY(parts.error().code == ErrorCode::kMalformed);
+    QCOMPARE(parts.error().where, std::string("a.c2s"));
+    QVERIFY2(QString::fromStdString(parts.error().message).contains(word), parts.error().message.c_str());
   }
 
   void lengthsThatLie() {
     for (const std::string& bytes : {std::string(), std::string(7, '\0'), std::string(8, '\xff'),
                                      std::string("\x40\0\0\0\0\0\0\0{}", 10), std::string("\0\0\x20\0\0\0\0\0", 8)}) {
-      QVERIFY(!parseProjectorLayout(bytes, "a.c2s"));
+      QVERIFY(!test::partsOf(bytes));
     }
   }
 
   void tooManyArraysAreRefused() {
     ProjectorHeader header;
     for (int k = 0; k < 1000; ++k) header.arrays[std::to_string(k) + "a"] = {"U8", {0}, 0, 0};
-    QVERIFY(!parseProjectorLayout(formatProjectorPrefix(header), "a.c2s"));
+    QVERIFY(!test::partsOf(formatProjectorPrefix(header)));
   }
 };
 
