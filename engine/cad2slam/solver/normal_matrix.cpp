@@ -5,7 +5,11 @@
 #include <cholmod.h>
 
 #include <algorithm>
+#include <array>
+#include <functional>
+#include <future>
 #include <numeric>
+#include <system_error>
 #include <utility>
 
 namespace cad2slam {
@@ -104,8 +108,17 @@ class NormalMatrix::Impl {
 
  private:
   void clear();
-  [[nodiscard]] std::vector<int> pathsOf(const std::vector<const SparseColumns*>& forms) const;
-  void formsOfBatch(const std::vector<const SparseColumns*>& batch, std::vector<Eigen::Matrix4d*>& grams) const;
+  struct FormWorkspace {
+    FormRows rows;
+    std::vector<bool> on_path;
+  };
+  struct FormBatch {
+    std::vector<const SparseColumns*> forms;
+    std::vector<Eigen::Matrix4d*> grams;
+    int columns = 0;
+  };
+  [[nodiscard]] std::vector<int> pathsOf(const FormBatch& batch, std::vector<bool>& on_path) const;
+  void solveBatch(const FormBatch& batch, FormWorkspace& workspace) const;
   void layOut(const Objective& objective);
   template <int kUnknowns>
   void assemble(const Objective& objective, const double* x);
@@ -122,9 +135,8 @@ class NormalMatrix::Impl {
   bool factorised_ = false;
   std::vector<int> inverse_permutation_;
   std::vector<int> column_supernode_;
-  mutable FormRows path_rows_;
-  mutable std::vector<bool> on_path_;
-  cholmod_dense* solution_ = nullptr;  // workspaces that cholmod_solve2 reuses
+  mutable std::array<FormWorkspace, 2> form_workspaces_;  // one for each thread
+  cholmod_dense* solution_ = nullptr;                     // workspaces that cholmod_solve2 reuses
   cholmod_dense* work_y_ = nullptr;
   cholmod_dense* work_e_ = nullptr;
 };
@@ -298,17 +310,17 @@ bool NormalMatrix::Impl::solve(const Eigen::VectorXd& right, Eigen::VectorXd& so
 }
 
 /// The supernodes on the paths from the non-zeros to the root, in elimination order.
-std::vector<int> NormalMatrix::Impl::pathsOf(const std::vector<const SparseColumns*>& forms) const {
+std::vector<int> NormalMatrix::Impl::pathsOf(const FormBatch& batch, std::vector<bool>& on_path) const {
   const auto* first_columns = static_cast<const int*>(factor_->super);
   const auto* row_starts = static_cast<const int*>(factor_->pi);
   const auto* row_numbers = static_cast<const int*>(factor_->s);
   std::vector<int> path;
-  on_path_.resize(factor_->nsuper, false);
-  for (const SparseColumns* form : forms) {
+  on_path.resize(factor_->nsuper, false);
+  for (const SparseColumns* form : batch.forms) {
     for (const std::size_t row : form->rows) {
       int supernode = supernodeOf(static_cast<std::size_t>(inverse_permutation_[row]));
-      while (supernode >= 0 && !on_path_[static_cast<std::size_t>(supernode)]) {
-        on_path_[static_cast<std::size_t>(supernode)] = true;
+      while (supernode >= 0 && !on_path[static_cast<std::size_t>(supernode)]) {
+        on_path[static_cast<std::size_t>(supernode)] = true;
         path.push_back(supernode);
         const int own = first_columns[supernode + 1] - first_columns[supernode];
         const int all = row_starts[supernode + 1] - row_starts[supernode];
@@ -316,26 +328,25 @@ std::vector<int> NormalMatrix::Impl::pathsOf(const std::vector<const SparseColum
       }
     }
   }
-  for (const int supernode : path) on_path_[static_cast<std::size_t>(supernode)] = false;
+  for (const int supernode : path) on_path[static_cast<std::size_t>(supernode)] = false;
   std::sort(path.begin(), path.end());
   return path;
 }
 
-/// Forward substitution for up to kFormColumns columns at once, side by side in `path_rows_`.
-void NormalMatrix::Impl::formsOfBatch(const std::vector<const SparseColumns*>& batch,
-                                      std::vector<Eigen::Matrix4d*>& grams) const {
+/// Forward substitution for up to kFormColumns columns at once, side by side in the rows of the workspace.
+void NormalMatrix::Impl::solveBatch(const FormBatch& batch, FormWorkspace& workspace) const {
   const auto* first_columns = static_cast<const int*>(factor_->super);
   const auto* row_starts = static_cast<const int*>(factor_->pi);
   const auto* value_starts = static_cast<const int*>(factor_->px);
   const auto* row_numbers = static_cast<const int*>(factor_->s);
   const auto* values = static_cast<const double*>(factor_->x);
   // All zero between calls: only rows of the path are ever written, and they are cleared again below.
-  FormRows& work = path_rows_;
+  FormRows& work = workspace.rows;
   if (work.rows() != static_cast<Eigen::Index>(factor_->n)) {
     work = FormRows::Zero(static_cast<Eigen::Index>(factor_->n), kFormColumns);
   }
   Eigen::Index column = 0;
-  for (const SparseColumns* form : batch) {
+  for (const SparseColumns* form : batch.forms) {
     for (std::size_t k = 0; k < form->rows.size(); ++k) {
       work.row(inverse_permutation_[form->rows[k]]).segment(column, form->count) +=
           form->values[k].head(form->count).transpose();
@@ -343,7 +354,7 @@ void NormalMatrix::Impl::formsOfBatch(const std::vector<const SparseColumns*>& b
     column += form->count;
   }
   FormRows below;
-  for (const int supernode : pathsOf(batch)) {
+  for (const int supernode : pathsOf(batch, workspace.on_path)) {
     const int first = first_columns[supernode];
     const int own = first_columns[supernode + 1] - first;
     const int all = row_starts[supernode + 1] - row_starts[supernode];
@@ -351,10 +362,10 @@ void NormalMatrix::Impl::formsOfBatch(const std::vector<const SparseColumns*>& b
     auto mine = work.middleRows(first, own);
     block.topRows(own).triangularView<Eigen::Lower>().solveInPlace(mine);
     Eigen::Index begin = 0;
-    for (std::size_t k = 0; k < batch.size(); ++k) {
-      const Eigen::Index count = batch[k]->count;
+    for (std::size_t k = 0; k < batch.forms.size(); ++k) {
+      const Eigen::Index count = batch.forms[k]->count;
       const auto part = mine.middleCols(begin, count);
-      grams[k]->topLeftCorner(count, count).noalias() += part.transpose().lazyProduct(part);
+      batch.grams[k]->topLeftCorner(count, count).noalias() += part.transpose().lazyProduct(part);
       begin += count;
     }
     below.noalias() = block.bottomRows(all - own) * mine;
@@ -374,22 +385,31 @@ std::vector<Eigen::Matrix4d> NormalMatrix::Impl::inverseForms(const std::vector<
     order.emplace_back(first, k);
   }
   std::sort(order.begin(), order.end());
-  std::vector<const SparseColumns*> batch;
-  std::vector<Eigen::Matrix4d*> batch_grams;
-  int columns = 0;
-  const auto flush = [&] {
-    if (!batch.empty()) formsOfBatch(batch, batch_grams);
-    batch.clear();
-    batch_grams.clear();
-    columns = 0;
-  };
+  std::vector<FormBatch> batches;
   for (const auto& [first, k] : order) {
-    if (columns + forms[k].count > kFormColumns) flush();
-    batch.push_back(&forms[k]);
-    batch_grams.push_back(&grams[k]);
-    columns += forms[k].count;
+    if (batches.empty() || batches.back().columns + forms[k].count > kFormColumns) batches.emplace_back();
+    FormBatch& batch = batches.back();
+    batch.forms.push_back(&forms[k]);
+    batch.grams.push_back(&grams[k]);
+    batch.columns += forms[k].count;
   }
-  flush();
+  const auto solveRange = [&](std::size_t begin, std::size_t end, FormWorkspace& workspace) {
+    for (std::size_t k = begin; k < end; ++k) solveBatch(batches[k], workspace);
+  };
+  constexpr std::size_t kWorthAThread = 4;
+  std::future<void> second_half;
+  std::size_t middle = batches.size();
+  if (batches.size() >= kWorthAThread) {
+    try {
+      second_half =
+          std::async(std::launch::async, solveRange, batches.size() / 2, batches.size(), std::ref(form_workspaces_[1]));
+      middle = batches.size() / 2;
+    } catch (const std::system_error&) {
+      // No thread to be had: one after the other, then.
+    }
+  }
+  solveRange(0, middle, form_workspaces_[0]);
+  if (second_half.valid()) second_half.get();
   return grams;
 }
 
