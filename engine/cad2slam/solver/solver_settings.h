@@ -28,7 +28,7 @@ struct ScaleSettings {
 /// on a coarse mesh and takes the one whose leave-one-out residuals are smallest.
 enum class Stiffness {
   kGiven,      ///< lambda_x, lambda_y and lambda_stretch as they stand in the settings
-  kAutomatic,  ///< the best of the following; kLocal below five anchors
+  kAutomatic,  ///< the best of the following; kLocal below nine anchors
   kLocal,      ///< lets each corridor be as long as its anchors say; DESIGN.md section 3
   kSmooth,     ///< bends and shears the building as a whole
   kLoose,      ///< as kSmooth, but passes by its anchors: for clicks noisier than the map is bent

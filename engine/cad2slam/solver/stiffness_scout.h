@@ -21,7 +21,7 @@ class StiffnessScout {
  public:
   explicit StiffnessScout(const Mesh& mesh);
 
-  /// One of kLocal (always below five anchors), kSmooth, kLoose.
+  /// One of kLocal (always below nine anchors), kSmooth, kLoose.
   [[nodiscard]] Stiffness choose(const AnchorList& anchors, const SolverSettings& settings);
 
  private:
