@@ -98,20 +98,19 @@ double similarityShare(const Solution& solution, const Residuals& leave_one_out)
   constexpr std::size_t kFewestAnchors = 4;
   constexpr double kSmallest = 0.05;
   if (leave_one_out.size() < kFewestAnchors) return 0.0;
-  std::vector<double> mesh;
-  for (const AnchorFit& fit : solution.anchors) {
-    if (fit.used) mesh.push_back(fit.leave_one_out_m);
-  }
-  // Wrong anchors are those that the mesh misses. A similarity that fits one wing of a bent building well misses the
-  // others; that must count.
-  const double cap = residualCap(mesh);
+  // Wrong anchors do not count, but only those that the loss gave up: a place that is merely missed when its anchor is
+  // left out is where the map is bent.
+  constexpr double kGivenUp = 0.5;
   double mesh_sum = 0.0;
   double similarity_sum = 0.0;
   std::size_t count = 0;
-  for (std::size_t i = 0; i < mesh.size(); ++i) {
-    if (mesh[i] > cap) continue;
-    mesh_sum += mesh[i];
-    similarity_sum += leave_one_out[i].norm();
+  auto residual = leave_one_out.begin();
+  for (const AnchorFit& fit : solution.anchors) {
+    if (!fit.used) continue;
+    const double length = (residual++)->norm();
+    if (fit.loss_weight < kGivenUp) continue;
+    mesh_sum += fit.leave_one_out_m;
+    similarity_sum += length;
     ++count;
   }
   if (!(similarity_sum < kNoise_m * static_cast<double>(count)) || !(mesh_sum > 0.0)) return 0.0;
