@@ -41,7 +41,7 @@ StiffnessScout::StiffnessScout(const Mesh& mesh) : mesh_(coarse(mesh)) {
 }
 
 Stiffness StiffnessScout::choose(const AnchorList& anchors, const SolverSettings& settings) {
-  constexpr std::size_t kFewestAnchors = 9;    // fewer judge badly: eight made 1.68 m of 1.55 on DEMO
+  constexpr std::size_t kFewestAnchors = 9;    // eight judge DEMO and DIAG worse than no choice
   constexpr double kGoodEnoughToJudge = 1e-4;  // of the gradient: residuals are then right to some millimetres
   Stiffness best = Stiffness::kLocal;
   if (enabledPairs(anchors).size() < kFewestAnchors) return best;
