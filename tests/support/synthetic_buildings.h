@@ -41,6 +41,24 @@ inline std::shared_ptr<const Mesh> meshOf(const OccupancyGrid& grid, double cell
   return std::make_shared<const Mesh>(*buildMesh(grid, cell_size_m));
 }
 
+/// Three rooms of 6 x 6 m with walls of 2 m between them.
+inline std::shared_ptr<const Mesh> threeRooms() {
+  const MapFrame frame = *MapFrame::create(0.1, 220, 60, {{0.0, 0.0}, 0.0});
+  return meshOf(drawGrid(frame, [](int column, int) { return column % 80 < 60; }), 1.0);
+}
+
+/// Four anchors in the first of the three rooms, one in the second, two in the third.
+template <class Warp>
+AnchorList fewAnchorsInThreeRooms(const Warp& slam_from_blueprint) {
+  AnchorList anchors;
+  const auto add = [&](const Eigen::Vector2d& place) {
+    anchors.push_back({static_cast<AnchorId>(anchors.size() + 1), place, slam_from_blueprint(place), true, {}, {}});
+  };
+  for (int k = 0; k < 4; ++k) add({0.8 + 1.2 * k, 0.5 + (k % 3) * 2.4});
+  for (const Eigen::Vector2d& place : {Eigen::Vector2d(11.0, 3.0), {17.0, 1.0}, {21.0, 5.0}}) add(place);
+  return anchors;
+}
+
 /// Anchors at random nodes of a mesh, put into the SLAM map by `slam_from_blueprint`.
 template <class Warp>
 AnchorList anchorsAt(const Mesh& mesh, std::size_t count, unsigned seed, const Warp& slam_from_blueprint) {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cad2slam/solver/mesh_solver.h"
 
+#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 
 #include <algorithm>
@@ -11,7 +12,6 @@
 #include <limits>
 #include <optional>
 #include <string>
-#include <system_error>
 #include <utility>
 
 #include "cad2slam/anchors/anchor_checks.h"
@@ -23,6 +23,7 @@
 #include "cad2slam/solver/normal_matrix.h"
 #include "cad2slam/solver/objective.h"
 #include "cad2slam/solver/one_thread.h"
+#include "cad2slam/solver/second_thread.h"
 #include "cad2slam/solver/stiffness_scout.h"
 #include "cad2slam/solver/thin_plate_fit.h"
 
@@ -36,6 +37,8 @@ constexpr char kOnePlaceWarning[] =
     "One place is anchored: only the translation is known; add an anchor far away from it.";
 constexpr char kTwoPlacesWarning[] =
     "Two places are anchored: only rotation and translation are known; a third anchor lets the mesh bend.";
+/// Share of a place that other anchors determine; below it the first-order formula only magnifies rounding.
+constexpr double kNothingElse = 1e-5;
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 class Stopwatch {
@@ -116,6 +119,7 @@ class MeshSolver::Impl {
   void store(const Eigen::VectorXd& x, Solution& solution) const;
   void diagnoseAnchors(const AnchorList& anchors, Solution& solution);
   [[nodiscard]] AnchorTerm predictionAt(const Vector2d& in_blueprint, const Vector2d& in_slam) const;
+  [[nodiscard]] Vector2d predictedByFewOthers(const AnchorList& anchors, std::size_t left_out) const;
   [[nodiscard]] bool isActive(const Vector2d& in_blueprint) const;
   void addComponentWarning(Solution& solution) const;
 
@@ -250,13 +254,7 @@ Result<Solution> MeshSolver::Impl::solveWithChosenStiffness(const AnchorList& an
     return scout_->choose(anchors, settings);
   };
   std::future<Stiffness> choosing;
-  if (warm_start != nullptr && last_choice_) {
-    try {
-      choosing = std::async(std::launch::async, choose);
-    } catch (const std::system_error&) {
-      // No thread to be had: one after the other, then.
-    }
-  }
+  if (warm_start != nullptr && last_choice_) choosing = onSecondThread(choose);
   if (!choosing.valid()) {
     last_choice_ = choose();
     return solveWith(*last_choice_);
@@ -339,6 +337,27 @@ AnchorTerm MeshSolver::Impl::predictionAt(const Vector2d& in_blueprint, const Ve
   return term;
 }
 
+/// Where a solve without this anchor puts its place if the others leave its part of the mesh open: there the part keeps
+/// the heading of their global fit (see `heading_prior`), held by the others in it if there are any.
+Vector2d MeshSolver::Impl::predictedByFewOthers(const AnchorList& anchors, std::size_t left_out) const {
+  const auto componentOf = [&](const Anchor& anchor) {
+    return mesh_->components()[nearestNodeBlend(*mesh_, anchor.in_blueprint).nodes[0]];
+  };
+  AnchorList others = anchors;
+  others[left_out].enabled = false;
+  const Result<Similarity2> fit_of_others = fitGlobally(others, {ScaleRule::kFixed, global_fit_.scale});
+  const Similarity2& fit = fit_of_others ? *fit_of_others : global_fit_;
+  const Vector2d by_fit = fit * anchors[left_out].in_blueprint;
+  Vector2d shift = Vector2d::Zero();
+  double count = 0.0;
+  for (const Anchor& other : others) {
+    if (!other.enabled || componentOf(other) != componentOf(anchors[left_out])) continue;
+    shift += other.in_slam - fit * other.in_blueprint;
+    count += 1.0;
+  }
+  return count > 0.0 ? Vector2d(by_fit + shift / count) : by_fit;
+}
+
 /// Residuals, and leave-one-out residuals from the one factorisation: without anchor c the minimum moves by
 /// (J^T W J)^-1 J_c^T w (I - w G_cc)^-1 e_c with G = J (J^T W J)^-1 J^T, to first order (DESIGN.md section 3).
 void MeshSolver::Impl::diagnoseAnchors(const AnchorList& anchors, Solution& solution) {
@@ -353,8 +372,10 @@ void MeshSolver::Impl::diagnoseAnchors(const AnchorList& anchors, Solution& solu
   }
   const std::vector<Eigen::Matrix4d> grams = normal_.inverseForms(derivatives);
   double whitened = 0.0;
+  std::size_t determined = 0;
   std::size_t term = 0;
-  for (const Anchor& anchor : anchors) {
+  for (std::size_t i = 0; i < anchors.size(); ++i) {
+    const Anchor& anchor = anchors[i];
     AnchorFit fit;
     fit.id = anchor.id;
     fit.used = anchor.enabled;
@@ -375,19 +396,21 @@ void MeshSolver::Impl::diagnoseAnchors(const AnchorList& anchors, Solution& solu
       fit.loss_weight = lossWeight(used_residual.squaredNorm(), objective_.loss_width_m);
       const double weight = objective_.anchor_information * fit.loss_weight;
       const Matrix2d remaining = Matrix2d::Identity() - weight * gram.topLeftCorner<2, 2>();
-      const Vector2d pushed = remaining.inverse() * used_residual;
-      const Matrix2d across = is_tied_to_prediction ? gram.topLeftCorner<2, 2>() : gram.bottomLeftCorner<2, 2>();
-      const Vector2d without = residual + across * (weight * pushed);
-      if (without.allFinite()) {
-        fit.predicted_without = anchor.in_slam + without;
-        fit.leave_one_out_m = without.norm();
+      if (Eigen::SelfAdjointEigenSolver<Matrix2d>(remaining).eigenvalues().x() > kNothingElse) {
+        const Vector2d pushed = remaining.inverse() * used_residual;
+        const Matrix2d across = is_tied_to_prediction ? gram.topLeftCorner<2, 2>() : gram.bottomLeftCorner<2, 2>();
+        fit.predicted_without = fit.predicted + across * (weight * pushed);
+        whitened += weight * pushed.dot(remaining * pushed);
+        ++determined;
+      } else {
+        fit.predicted_without = predictedByFewOthers(anchors, i);
       }
-      if (pushed.allFinite()) whitened += weight * pushed.dot(remaining * pushed);
+      fit.leave_one_out_m = (fit.predicted_without - anchor.in_slam).norm();
       ++solution.anchors_used;
     }
     solution.anchors.push_back(fit);
   }
-  variance_factor_ = whitened / (2.0 * static_cast<double>(std::max<std::size_t>(1, solution.anchors_used)));
+  variance_factor_ = whitened / (2.0 * static_cast<double>(std::max<std::size_t>(1, determined)));
 }
 
 void MeshSolver::Impl::addComponentWarning(Solution& solution) const {

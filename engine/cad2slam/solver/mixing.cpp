@@ -27,7 +27,14 @@ using Residuals = std::vector<Vector2d>;
 double scoreOfMixture(const Residuals& mesh, const Residuals& plate, double share) {
   std::vector<double> lengths;
   for (std::size_t i = 0; i < mesh.size(); ++i) lengths.push_back(((1.0 - share) * mesh[i] + share * plate[i]).norm());
-  return cappedMean(lengths);
+  return cappedMean(std::move(lengths));
+}
+
+/// Of a node, `share` of the way.
+void moveTowards(const Pose2& pose, const Vector2d& stretch, double share, Pose2& node_pose, Vector2d& node_stretch) {
+  node_pose.translation += share * (pose.translation - node_pose.translation);
+  node_pose.heading = wrapAngle(node_pose.heading + share * wrapAngle(pose.heading - node_pose.heading));
+  node_stretch += share * (stretch - node_stretch);
 }
 
 }  // namespace
@@ -69,10 +76,7 @@ bool mixIn(const ThinPlateFit& plate, double share, const Mesh& mesh, const std:
     const double heading = std::atan2(linear(1, 0) - linear(0, 1), linear(0, 0) + linear(1, 1));
     const Vector2d factors = (rotationMatrix(-heading) * linear).diagonal();
     if (!(linear.determinant() > 0.0) || !(factors.minCoeff() > kSmallestFactor)) return false;
-    Pose2& pose = node_slam[node];
-    pose.translation += share * (plate * center - pose.translation);
-    pose.heading = wrapAngle(pose.heading + share * wrapAngle(heading - pose.heading));
-    node_stretch[node] += share * (Vector2d(factors.array().log()) - node_stretch[node]);
+    moveTowards({plate * center, heading}, factors.array().log(), share, node_slam[node], node_stretch[node]);
   }
   solution.node_slam = std::move(node_slam);
   solution.node_stretch = std::move(node_stretch);
@@ -120,11 +124,8 @@ double similarityShare(const Solution& solution, const Residuals& leave_one_out)
 
 void mixInSimilarity(double share, const Mesh& mesh, const std::vector<NodeIndex>& nodes, Solution& solution) {
   for (const NodeIndex node : nodes) {
-    const Pose2 fitted = solution.global_fit * Pose2{mesh.centers()[node], 0.0};
-    Pose2& pose = solution.node_slam[node];
-    pose.translation += share * (fitted.translation - pose.translation);
-    pose.heading = wrapAngle(pose.heading + share * wrapAngle(fitted.heading - pose.heading));
-    solution.node_stretch[node] *= 1.0 - share;
+    moveTowards(solution.global_fit * Pose2{mesh.centers()[node], 0.0}, Vector2d::Zero(), share,
+                solution.node_slam[node], solution.node_stretch[node]);
   }
   solution.similarity_share = share;
 }

@@ -20,7 +20,7 @@ namespace cad2slam {
 /// How much of a plate through the enabled anchors should go into the answer, 0 to 1. A plate errs in other ways than a
 /// mesh, so a mean of both is often better than either. Compares the leave-one-out residuals of mixtures; `mesh` is a
 /// solution without a plate. None below 20 anchors, which are too few to tell (on real buildings it then does harm),
-/// and never all.
+/// and never more than seven tenths.
 [[nodiscard]] double plateShare(const AnchorList& anchors, const Solution& mesh, const ThinPlateFit& plate);
 
 /// Moves place, heading and stretch of `nodes` `share` (0 to 1) of the way to those of the plate at their centres.

@@ -2,14 +2,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cad2slam/solver/normal_matrix.h"
 
+#include "cad2slam/solver/second_thread.h"
+
 #include <cholmod.h>
 
 #include <algorithm>
 #include <array>
-#include <functional>
 #include <future>
 #include <numeric>
-#include <system_error>
 #include <utility>
 
 namespace cad2slam {
@@ -398,16 +398,10 @@ std::vector<Eigen::Matrix4d> NormalMatrix::Impl::inverseForms(const std::vector<
   };
   constexpr std::size_t kWorthAThread = 4;
   std::future<void> second_half;
-  std::size_t middle = batches.size();
   if (batches.size() >= kWorthAThread) {
-    try {
-      second_half =
-          std::async(std::launch::async, solveRange, batches.size() / 2, batches.size(), std::ref(form_workspaces_[1]));
-      middle = batches.size() / 2;
-    } catch (const std::system_error&) {
-      // No thread to be had: one after the other, then.
-    }
+    second_half = onSecondThread([&] { solveRange(batches.size() / 2, batches.size(), form_workspaces_[1]); });
   }
+  const std::size_t middle = second_half.valid() ? batches.size() / 2 : batches.size();
   solveRange(0, middle, form_workspaces_[0]);
   if (second_half.valid()) second_half.get();
   return grams;

@@ -12,18 +12,13 @@ namespace cad2slam {
 /// the map, which must not be smoothed away.
 inline constexpr double kNoise_m = 0.4;
 
-/// Four times the median of at least one number: residuals above it are those of wrong anchors.
-[[nodiscard]] inline double residualCap(std::vector<double> numbers) {
+/// Mean of numbers that are not negative, each capped at four times their median: a wrong anchor must not decide which
+/// of two fits is better. Infinite for no number.
+[[nodiscard]] inline double cappedMean(std::vector<double> numbers) {
+  if (numbers.empty()) return std::numeric_limits<double>::infinity();
   const auto middle = numbers.begin() + static_cast<std::ptrdiff_t>(numbers.size() / 2);
   std::nth_element(numbers.begin(), middle, numbers.end());
-  return 4.0 * *middle;
-}
-
-/// Mean of numbers that are not negative, each capped at residualCap(): a wrong anchor must not decide which of two
-/// fits is better. Infinite for no number.
-[[nodiscard]] inline double cappedMean(const std::vector<double>& numbers) {
-  if (numbers.empty()) return std::numeric_limits<double>::infinity();
-  const double cap = residualCap(numbers);
+  const double cap = 4.0 * *middle;
   double sum = 0.0;
   for (const double number : numbers) sum += std::min(number, cap);
   return sum / static_cast<double>(numbers.size());

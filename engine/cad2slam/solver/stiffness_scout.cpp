@@ -28,7 +28,7 @@ double scoreOf(Stiffness stiffness, const Solution& solution) {
   for (const AnchorFit& fit : solution.anchors) {
     if (fit.used) residuals.push_back(fit.leave_one_out_m);
   }
-  const double score = cappedMean(residuals);
+  const double score = cappedMean(std::move(residuals));
   if (stiffness == Stiffness::kSmooth) return kClearlyBetter * score;
   if (stiffness == Stiffness::kLoose && score > kNoise_m) return std::numeric_limits<double>::infinity();
   return score;

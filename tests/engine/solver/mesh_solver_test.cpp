@@ -284,19 +284,9 @@ void MeshSolverTest::sayWhenTheyDidNotConverge() {
   QVERIFY(solution->warnings[0].find("converged") != std::string::npos);
 }
 
-namespace {
-
-/// Three rooms of 6 x 6 m with walls of 2 m between them.
-std::shared_ptr<const Mesh> threeRooms() {
-  const MapFrame frame = *MapFrame::create(0.1, 220, 60, {{0.0, 0.0}, 0.0});
-  return testing::meshOf(testing::drawGrid(frame, [](int column, int) { return column % 80 < 60; }), 1.0);
-}
-
-}  // namespace
-
 void MeshSolverTest::partsWithoutAnchorsFollowTheGlobalFit() {
   QFETCH(Model, model);
-  const auto mesh = threeRooms();
+  const auto mesh = testing::threeRooms();
   QCOMPARE(mesh->componentCount(), std::size_t{3});
   AnchorList anchors;
   for (int k = 0; k < 6; ++k) {
@@ -317,16 +307,9 @@ void MeshSolverTest::partsWithoutAnchorsFollowTheGlobalFit() {
 
 void MeshSolverTest::partsWithFewAnchorsAreHeld() {
   QFETCH(Model, model);
-  const auto mesh = threeRooms();
-  AnchorList anchors;
-  for (int k = 0; k < 4; ++k) {
-    const Vector2d place(0.8 + 1.2 * k, 0.5 + (k % 3) * 2.4);
-    anchors.push_back({k, place, bend(place), true, {}, {}});
-  }
+  const auto mesh = testing::threeRooms();
   // One anchor leaves the heading of the second room to the global fit, two give the third its own.
-  for (const Vector2d& place : {Vector2d(11.0, 3.0), Vector2d(17.0, 1.0), Vector2d(21.0, 5.0)}) {
-    anchors.push_back({static_cast<AnchorId>(anchors.size()), place, bend(place), true, {}, {}});
-  }
+  const AnchorList anchors = testing::fewAnchorsInThreeRooms(bend);
   const Result<Solution> solution = MeshSolver(mesh).solve(anchors, defaultSettings(model));
   QVERIFY(solution.has_value());
   QVERIFY(solution->converged);
