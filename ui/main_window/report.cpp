@@ -98,11 +98,15 @@ QString reportHtml(Session& session, const ReportExtras& extras) {
     for (const QString& finding : extras.findings) html += QStringLiteral("<li>%1</li>").arg(finding.toHtmlEscaped());
     html += QStringLiteral("</ul>");
   }
-  for (std::size_t i = 0; i < extras.pictures.size(); ++i)
-    html += QStringLiteral("<h2>%1</h2><img src=\"picture%2\" width=\"%3\">")
+  for (std::size_t i = 0; i < extras.pictures.size(); ++i) {
+    // Without a height, room is left for the picture in its full size.
+    const QSize size = extras.pictures[i].image.size();
+    html += QStringLiteral("<h2>%1</h2><img src=\"picture%2\" width=\"%3\" height=\"%4\">")
                 .arg(extras.pictures[i].caption.toHtmlEscaped())
                 .arg(i)
-                .arg(kPictureWidth);
+                .arg(kPictureWidth)
+                .arg(size.isEmpty() ? 0 : kPictureWidth * size.height() / size.width());
+  }
 
   html += QStringLiteral("<h2>%1</h2><table cellpadding=\"2\" width=\"100%\">").arg(Text::tr("Anchors"));
   html += QStringLiteral("<thead>");  // again on every page
