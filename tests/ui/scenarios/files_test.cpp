@@ -187,9 +187,7 @@ class FilesTest : public QObject {
     QVERIFY(copyOffice(here));
     {
       OfficeWindow office(false);
-      office.window.files().setImage(Side::kBlueprint, here + QStringLiteral("/blueprint.yaml"));
-      office.window.files().setImage(Side::kSlam, here + QStringLiteral("/slam_1.yaml"));
-      QVERIFY(office.waitUntilReady());
+      QVERIFY(office.setMaps(here + QStringLiteral("/blueprint.yaml"), here + QStringLiteral("/slam_1.yaml")));
       office.addExact(4);
       QVERIFY(office.window.files().saveProjectTo(here + QStringLiteral("/site.c2sproj")));
     }
@@ -298,9 +296,7 @@ class FilesTest : public QObject {
     const QString here = sandbox_->path(QStringLiteral("here"));
     QVERIFY(copyOffice(here));
     OfficeWindow office(false);
-    office.window.files().setImage(Side::kBlueprint, here + QStringLiteral("/blueprint.yaml"));
-    office.window.files().setImage(Side::kSlam, here + QStringLiteral("/slam_1.yaml"));
-    QVERIFY(office.waitUntilReady());
+    QVERIFY(office.setMaps(here + QStringLiteral("/blueprint.yaml"), here + QStringLiteral("/slam_1.yaml")));
     office.addExact(6);
     QVERIFY(office.waitUntilSolved());
     QVERIFY(office.window.files().saveProjectTo(here + QStringLiteral("/tower.c2sproj")));

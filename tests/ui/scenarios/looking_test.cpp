@@ -70,9 +70,7 @@ class LookingTest : public QObject {
 
   void scenario15_allSlamMapsOfAProjectWithoutChoosingThem() {
     OfficeWindow office(false);
-    QVERIFY(office.window.files().openProject(OfficeWindow::sample("office.c2sproj")));
-    QVERIFY(office.waitUntilReady());
-    QVERIFY(office.waitUntilSolved());
+    QVERIFY(office.openSolved(OfficeWindow::sample("office.c2sproj")));
     Alignment& alignment = office.session().alignment();
     const auto& maps = office.document().project().slam_maps;
     QCOMPARE(maps.size(), std::size_t(2));
@@ -109,9 +107,7 @@ class LookingTest : public QObject {
 
   void scenario15_solvingTheOthersCanBeStopped() {
     OfficeWindow office(false);
-    QVERIFY(office.window.files().openProject(OfficeWindow::sample("office.c2sproj")));
-    QVERIFY(office.waitUntilReady());
-    QVERIFY(office.waitUntilSolved());
+    QVERIFY(office.openSolved(OfficeWindow::sample("office.c2sproj")));
     Alignment& alignment = office.session().alignment();
     const std::string other = office.document().project().slam_maps[1].name;
     office.window.preview().setMode(PreviewMode::kAllMaps);

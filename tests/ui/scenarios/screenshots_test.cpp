@@ -105,9 +105,7 @@ class ScreenshotsTest : public QObject {
 
   void everyMode() {
     OfficeWindow office(false);
-    QVERIFY(office.window.files().openProject(OfficeWindow::sample("office.c2sproj")));
-    QVERIFY(office.waitUntilReady());
-    QVERIFY(office.waitUntilSolved());
+    QVERIFY(office.openSolved(OfficeWindow::sample("office.c2sproj")));
     static constexpr const char* kNames[kPreviewModeCount] = {"overlay", "two-inks",  "swipe",   "blink", "lens",
                                                               "mesh",    "residuals", "stretch", "turn",  "all-maps"};
     PreviewPanel& preview = office.window.preview();
@@ -141,9 +139,7 @@ class ScreenshotsTest : public QObject {
     if (!QFileInfo::exists(folder)) QSKIP("Needs the published data");
     OfficeWindow office(false);
     // The whole way of an installer: both maps, the anchors, a project, the file for the robots, and open it again.
-    QVERIFY(office.window.files().setImage(Side::kBlueprint, folder + QStringLiteral("/blueprint.yaml")));
-    QVERIFY(office.window.files().setImage(Side::kSlam, folder + QStringLiteral("/slam.yaml")));
-    QVERIFY(office.waitUntilReady());
+    QVERIFY(office.setMaps(folder + QStringLiteral("/blueprint.yaml"), folder + QStringLiteral("/slam.yaml")));
     QVERIFY(office.window.exports().importAnchors(folder + QStringLiteral("/correspondences.data")));
     QVERIFY(office.waitUntilSolved());
     QTest::qWait(1500);  // diagnosis, tiles
@@ -159,9 +155,7 @@ class ScreenshotsTest : public QObject {
     QVERIFY(saveReport(office.window, folder_ + QStringLiteral("/report-%1.pdf").arg(site)));
     const std::size_t anchors = office.document().anchors().size();
     OfficeWindow again(false);
-    QVERIFY(again.window.files().openProject(project));
-    QVERIFY(again.waitUntilReady());
-    QVERIFY(again.waitUntilSolved());
+    QVERIFY(again.openSolved(project));
     QCOMPARE(again.document().anchors().size(), anchors);
     QVERIFY(again.window.exports().inspectProjector(projector));
     shoot(again.window, qPrintable(QStringLiteral("33-%1-opened-again").arg(site)));

@@ -60,11 +60,17 @@ class OfficeWindow {
   }
 
   void loadMaps() {
-    window.files().setImage(Side::kBlueprint, sample("blueprint.yaml"));
-    window.files().setImage(Side::kSlam, sample("slam_1.yaml"));
-    waitUntilReady();
+    setMaps(sample("blueprint.yaml"), sample("slam_1.yaml"));
     for (const Side side : {Side::kBlueprint, Side::kSlam}) window.view(side).setSnapping(false);
     window.actionTable()[ActionId::kSnap]->setChecked(false);
+  }
+
+  bool setMaps(const QString& blueprint, const QString& slam) {
+    return window.files().setImage(Side::kBlueprint, blueprint) && window.files().setImage(Side::kSlam, slam) &&
+           waitUntilReady();
+  }
+  bool openSolved(const QString& project) {
+    return window.files().openProject(project) && waitUntilReady() && waitUntilSolved();
   }
 
   bool waitUntilReady() {
