@@ -34,6 +34,14 @@ class Session {
     common_.method[0].ordering = CHOLMOD_GIVEN;
     common_.postorder = 1;
     common_.final_ll = 1;
+    // Supernodes of eight to two dozen mesh nodes, with some zeros in them. CHOLMOD's own choice is made for one unknown
+    // a node: three times as many supernodes, whose bookkeeping then takes longer than the arithmetic.
+    common_.nrelax[0] = 40;
+    common_.nrelax[1] = 60;
+    common_.nrelax[2] = 120;
+    common_.zrelax[0] = 0.8;
+    common_.zrelax[1] = 0.4;
+    common_.zrelax[2] = 0.1;
   }
   ~Session() { cholmod_finish(&common_); }
   Session(const Session&) = delete;
