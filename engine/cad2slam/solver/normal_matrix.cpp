@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cad2slam/solver/normal_matrix.h"
 
+#include "cad2slam/solver/blas.h"
 #include "cad2slam/solver/second_thread.h"
 
 #include <cholmod.h>
@@ -34,8 +35,8 @@ class Session {
     common_.method[0].ordering = CHOLMOD_GIVEN;
     common_.postorder = 1;
     common_.final_ll = 1;
-    // Supernodes of eight to two dozen mesh nodes, with some zeros in them. CHOLMOD's own choice is made for one unknown
-    // a node: three times as many supernodes, whose bookkeeping then takes longer than the arithmetic.
+    // Supernodes of eight to two dozen mesh nodes, with some zeros in them. CHOLMOD's own choice is made for one
+    // unknown a node: three times as many supernodes, whose bookkeeping then takes longer than the arithmetic.
     common_.nrelax[0] = 40;
     common_.nrelax[1] = 60;
     common_.nrelax[2] = 120;
@@ -366,9 +367,9 @@ void NormalMatrix::Impl::solveBatch(const FormBatch& batch, FormWorkspace& works
     const int first = first_columns[supernode];
     const int own = first_columns[supernode + 1] - first;
     const int all = row_starts[supernode + 1] - row_starts[supernode];
-    const Eigen::Map<const Eigen::MatrixXd> block(values + value_starts[supernode], all, own);
+    const double* block = values + value_starts[supernode];
     auto mine = work.middleRows(first, own);
-    block.topRows(own).triangularView<Eigen::Lower>().solveInPlace(mine);
+    solveLowerInPlace<kFormColumns>(block, all, own, mine.data());
     Eigen::Index begin = 0;
     for (std::size_t k = 0; k < batch.forms.size(); ++k) {
       const Eigen::Index count = batch.forms[k]->count;
@@ -376,7 +377,8 @@ void NormalMatrix::Impl::solveBatch(const FormBatch& batch, FormWorkspace& works
       batch.grams[k]->topLeftCorner(count, count).noalias() += part.transpose().lazyProduct(part);
       begin += count;
     }
-    below.noalias() = block.bottomRows(all - own) * mine;
+    below.resize(all - own, kFormColumns);
+    if (all > own) multiply<kFormColumns>(block + own, all, all - own, own, mine.data(), below.data());
     mine.setZero();
     const int* rows = row_numbers + row_starts[supernode] + own;
     for (int k = 0; k < all - own; ++k) work.row(rows[k]) -= below.row(k);
@@ -404,9 +406,9 @@ std::vector<Eigen::Matrix4d> NormalMatrix::Impl::inverseForms(const std::vector<
   const auto solveRange = [&](std::size_t begin, std::size_t end, FormWorkspace& workspace) {
     for (std::size_t k = begin; k < end; ++k) solveBatch(batches[k], workspace);
   };
-  constexpr std::size_t kWorthAThread = 4;
+  constexpr std::size_t kWorthAThread = 60'000;  // rows; small meshes are mostly solved aside of a large one
   std::future<void> second_half;
-  if (batches.size() >= kWorthAThread) {
+  if (batches.size() * factor_->n >= kWorthAThread) {
     second_half = onSecondThread([&] { solveRange(batches.size() / 2, batches.size(), form_workspaces_[1]); });
   }
   const std::size_t middle = second_half.valid() ? batches.size() / 2 : batches.size();
