@@ -5,6 +5,7 @@
 #include "cad2slam/io/project_file.h"
 #include "ui/convert.h"
 #include "ui/services/guarded.h"
+#include "ui/views/background_thread.h"
 
 #include <QFutureWatcher>
 #include <QtConcurrent>
@@ -93,6 +94,7 @@ void RasterStore::load(Side side, const ProjectRaster& raster, const std::string
   });
   const bool want_grid = side == Side::kBlueprint;
   watcher->setFuture(QtConcurrent::run(&pool_, [raster, want_grid]() -> Answer {
+    giveWayToWindow();
     Answer answer;
     const Result<void> done = guarded([&]() -> Result<void> {
       answer.state = checkRaster(raster);

@@ -5,6 +5,7 @@
 #include "ui/convert.h"
 #include "ui/services/guarded.h"
 #include "ui/services/solve_worker.h"
+#include "ui/views/background_thread.h"
 
 #include <QPromise>
 #include <QtConcurrent>
@@ -77,6 +78,7 @@ void SolveService::start(SolveRequest request, bool aside) {
   if (!aside) emit started(request.quality);
   watcher_.setFuture(
       QtConcurrent::run(&lane_, [worker = worker_, request = std::move(request), aside](QPromise<Outcome>& promise) {
+        giveWayToWindow();
         if (promise.isCanceled()) return;
         promise.setProgressRange(0, request.settings.max_iterations);
         const auto on_iteration = [&promise](const IterationReport& report) {

@@ -76,6 +76,10 @@ Result<SolveWorker::Bench*> SolveWorker::benchFor(const SolveRequest& request) {
   } else {
     Result<std::shared_ptr<const Mesh>> mesh = meshFor(request);
     if (!mesh) return failAs(mesh);
+    // A mesh of another size is not coming back soon, and a factor takes tens of megabytes.
+    benches_.remove_if([&](const Bench& bench) {
+      return bench.request.map == request.map && bench.request.quality == request.quality;
+    });
     while (benches_.size() >= kBenchCount) benches_.pop_back();
     benches_.push_front(Bench{request, *mesh, MeshSolver(*mesh), std::nullopt});
   }

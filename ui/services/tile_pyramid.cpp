@@ -12,6 +12,7 @@
 #include "ui/convert.h"
 #include "ui/services/pyramid_builder.h"
 #include "ui/services/strip_reader.h"
+#include "ui/views/background_thread.h"
 
 namespace cad2slam {
 namespace {
@@ -84,6 +85,7 @@ std::shared_ptr<TilePyramid> TilePyramid::fromPixels(const cv::Mat& pixels) {
 }
 
 void TilePyramid::read(const std::filesystem::path& image, bool mirrored) {
+  giveWayToWindow();
   try {
     // Nearly every map is grey even where its file type is not; a quarter of the memory is worth a second start.
     if (cut(image, mirrored, 1) == Cut::kNeedsColor) cut(image, mirrored, 4);
@@ -212,6 +214,7 @@ QImage TilePyramid::tile(const TileKey& key) {
 }
 
 void TilePyramid::unpackWanted() {
+  giveWayToWindow();
   while (!stop_) {
     TileKey key;
     {

@@ -10,6 +10,8 @@
 #include <optional>
 #include <utility>
 
+#include "ui/views/background_thread.h"
+
 namespace cad2slam {
 
 /// Runs a pure function on a thread of its own, one call at a time; of the requests that come while it runs only the
@@ -51,8 +53,10 @@ class LatestJob {
   void start(Request request) {
     running_ = true;
     dropped_ = false;
-    watcher_.setFuture(
-        QtConcurrent::run(&lane_, [work = work_, request = std::move(request)]() -> Answer { return work(request); }));
+    watcher_.setFuture(QtConcurrent::run(&lane_, [work = work_, request = std::move(request)]() -> Answer {
+      giveWayToWindow();
+      return work(request);
+    }));
   }
   void onFinished() {
     const QFuture<Answer> future = watcher_.future();

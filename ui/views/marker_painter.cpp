@@ -7,6 +7,7 @@
 
 #include <QFontMetricsF>
 #include <QPainterPath>
+#include <QPixmapCache>
 
 namespace cad2slam {
 namespace {
@@ -14,7 +15,6 @@ namespace {
 constexpr double kSpriteHalf_px = 26.0;
 constexpr double kHandleReach_px = 22.0;
 constexpr double kTextEdge_px = 3.0;
-constexpr int kMostSprites = 4000;
 const QColor kDarkEdge(0, 0, 0, 190);
 const QColor kLightEdge(255, 255, 255, 235);
 
@@ -101,6 +101,16 @@ QString keyOf(double ratio) {
   return QString::number(qRound(ratio * 100));
 }
 
+/// From the cache, or drawn by `draw` and put there.
+template <class Draw>
+QPixmap spriteOf(const QString& key, const Draw& draw) {
+  QPixmap sprite;
+  if (QPixmapCache::find(key, &sprite)) return sprite;
+  sprite = draw();
+  QPixmapCache::insert(key, sprite);
+  return sprite;
+}
+
 }  // namespace
 
 QColor colorOf(MarkerClass judged) {
@@ -120,15 +130,14 @@ QColor colorOf(MarkerClass judged) {
   return QColor(0x1e, 0x66, 0xd0);
 }
 
-const QPixmap& MarkerPainter::markerSprite(const Marker& marker, bool enlarged, double ratio) {
-  const QString key = QStringLiteral("m%1%2%3%4_")
+QPixmap MarkerPainter::markerSprite(const Marker& marker, bool enlarged, double ratio) {
+  const QString key = QStringLiteral("cad2slam_m%1%2%3%4_")
                           .arg(static_cast<int>(marker.judged))
                           .arg(marker.selected)
                           .arg(marker.snapped)
                           .arg(enlarged) +
                       keyOf(ratio);
-  auto found = sprites_.find(key);
-  if (found == sprites_.end()) {
+  return spriteOf(key, [&] {
     const int side = static_cast<int>(std::ceil(2.0 * kSpriteHalf_px * ratio));
     QPixmap sprite(side, side);
     sprite.setDevicePixelRatio(ratio);
@@ -137,72 +146,68 @@ const QPixmap& MarkerPainter::markerSprite(const Marker& marker, bool enlarged, 
     painter.setRenderHint(QPainter::Antialiasing);
     painter.translate(kSpriteHalf_px, kSpriteHalf_px);
     paintMarkerShape(painter, marker, enlarged);
-    painter.end();
-    found = sprites_.insert(key, sprite);
-  }
-  return *found;
+    return sprite;
+  });
 }
 
-const QPixmap& MarkerPainter::keep(const QString& key, const QPixmap& sprite) {
-  if (sprites_.size() > kMostSprites) sprites_.clear();
-  return *sprites_.insert(key, sprite);
-}
-
-const QPixmap& MarkerPainter::letterSprite(const QString& letter, TextPart part, const QColor& color, const QFont& font,
-                                           double ratio) {
+QPixmap MarkerPainter::letterSprite(const QString& letter, TextPart part, const QColor& color, double ratio) const {
   const QString look = part == TextPart::kInk ? color.name() : QString::number(static_cast<int>(part));
-  const QString key = QStringLiteral("l%1_%2_").arg(look, keyOf(ratio)) + font.key() + letter;
-  const auto found = sprites_.constFind(key);
-  if (found != sprites_.constEnd()) return *found;
-  QPixmap sprite = emptyTextSprite(letter, font, ratio);
-  QPainter painter(&sprite);
-  painter.setRenderHint(QPainter::Antialiasing);
-  QPainterPath path;
-  path.addText(QPointF(kTextEdge_px, kTextEdge_px + QFontMetricsF(font).ascent()), font, letter);
-  if (part == TextPart::kInk) {
-    painter.fillPath(path, color);
-  } else {
-    const bool dark = part == TextPart::kDarkEdge;
-    painter.strokePath(path, solidPen(dark ? kDarkEdge : QColor(Qt::white), dark ? 4.2 : 3.2));
-  }
-  painter.end();
-  return keep(key, sprite);
+  const QString key = QStringLiteral("cad2slam_l%1_%2_").arg(look, keyOf(ratio)) + bold_key_ + letter;
+  return spriteOf(key, [&] {
+    QPixmap sprite = emptyTextSprite(letter, bold_, ratio);
+    QPainter painter(&sprite);
+    painter.setRenderHint(QPainter::Antialiasing);
+    QPainterPath path;
+    path.addText(QPointF(kTextEdge_px, kTextEdge_px + QFontMetricsF(bold_).ascent()), bold_, letter);
+    if (part == TextPart::kInk) {
+      painter.fillPath(path, color);
+    } else {
+      const bool dark = part == TextPart::kDarkEdge;
+      painter.strokePath(path, solidPen(dark ? kDarkEdge : QColor(Qt::white), dark ? 4.2 : 3.2));
+    }
+    return sprite;
+  });
 }
 
-const QPixmap& MarkerPainter::textSprite(const QString& text, const QColor& color, const QFont& font, double ratio) {
-  const QString key = QStringLiteral("t%1_%2_").arg(color.name(), keyOf(ratio)) + font.key() + text;
-  const auto found = sprites_.constFind(key);
-  if (found != sprites_.constEnd()) return *found;
-  // Outlines are slow to draw: hundreds of numbers are put together from the ten digits. Scripts that join their
-  // letters are drawn as one.
-  const bool joined = std::any_of(text.begin(), text.end(), [](QChar letter) { return letter.unicode() >= 0x250; });
-  const qsizetype step = joined ? text.size() : 1;
-  const QFontMetricsF metrics(font);
-  QPixmap sprite = emptyTextSprite(text, font, ratio);
-  QPainter painter(&sprite);
-  for (const TextPart part : {TextPart::kDarkEdge, TextPart::kLightEdge, TextPart::kInk}) {
-    double x = 0.0;
-    for (qsizetype i = 0; i < text.size(); i += step) {
-      const QString piece = text.mid(i, step);
-      painter.drawPixmap(QPointF(x, 0.0), letterSprite(piece, part, color, font, ratio));
-      x += metrics.horizontalAdvance(piece);
+QPixmap MarkerPainter::textSprite(const QString& text, const QColor& color, double ratio) const {
+  const QString key = QStringLiteral("cad2slam_t%1_%2_").arg(color.name(), keyOf(ratio)) + bold_key_ + text;
+  return spriteOf(key, [&] {
+    // Outlines are slow to draw: hundreds of numbers are put together from the ten digits. Scripts that join their
+    // letters are drawn as one.
+    const bool joined = std::any_of(text.begin(), text.end(), [](QChar letter) { return letter.unicode() >= 0x250; });
+    const qsizetype step = joined ? text.size() : 1;
+    const QFontMetricsF metrics(bold_);
+    QPixmap sprite = emptyTextSprite(text, bold_, ratio);
+    QPainter painter(&sprite);
+    for (const TextPart part : {TextPart::kDarkEdge, TextPart::kLightEdge, TextPart::kInk}) {
+      double x = 0.0;
+      for (qsizetype i = 0; i < text.size(); i += step) {
+        const QString piece = text.mid(i, step);
+        painter.drawPixmap(QPointF(x, 0.0), letterSprite(piece, part, color, ratio));
+        x += metrics.horizontalAdvance(piece);
+      }
     }
-  }
-  painter.end();
-  return keep(key, sprite);
+    return sprite;
+  });
+}
+
+void MarkerPainter::useFont(const QFont& font) {
+  if (font == font_ && !bold_key_.isEmpty()) return;
+  font_ = bold_ = font;
+  bold_.setBold(true);
+  bold_key_ = bold_.key();
 }
 
 void MarkerPainter::paintText(QPainter& painter, const QPointF& at, const QString& text, const QColor& color) {
   if (text.isEmpty()) return;
-  QFont font = painter.font();
-  font.setBold(true);
-  const QPixmap& sprite = textSprite(text, color.darker(145), font, painter.device()->devicePixelRatioF());
+  useFont(painter.font());
+  const QPixmap sprite = textSprite(text, color.darker(145), painter.device()->devicePixelRatioF());
   painter.drawPixmap(at - QPointF(kTextEdge_px, sprite.height() / sprite.devicePixelRatio() / 2.0), sprite);
 }
 
 void MarkerPainter::paintMarker(QPainter& painter, const Marker& marker, const QPointF& at, bool enlarged,
                                 bool with_text) {
-  const QPixmap& sprite = markerSprite(marker, enlarged, painter.device()->devicePixelRatioF());
+  const QPixmap sprite = markerSprite(marker, enlarged, painter.device()->devicePixelRatioF());
   painter.drawPixmap(at - QPointF(kSpriteHalf_px, kSpriteHalf_px), sprite);
   if (!with_text) return;
   const double reach = (enlarged ? 13.0 : 10.0) + (marker.selected ? 5.0 : 0.0);

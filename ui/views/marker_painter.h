@@ -3,7 +3,6 @@
 #pragma once
 
 #include <QFont>
-#include <QHash>
 #include <QPainter>
 #include <QPixmap>
 
@@ -15,7 +14,8 @@ namespace cad2slam {
 [[nodiscard]] QColor colorOf(MarkerClass judged);
 
 /// Draws what lies on a map at places given in logical pixels of a view. Everything has a white and a dark edge, so
-/// that it can be read on any raster. Markers are kept as sprites: hundreds cost little.
+/// that it can be read on any raster. Markers and texts are kept as sprites in QPixmapCache, for all views together:
+/// hundreds cost little.
 class MarkerPainter {
  public:
   void paintMarker(QPainter& painter, const Marker& marker, const QPointF& at, bool enlarged, bool with_text);
@@ -35,14 +35,15 @@ class MarkerPainter {
   [[nodiscard]] static QPointF turnHandle(double radius_px, double heading_on_screen_rad);
 
  private:
-  const QPixmap& markerSprite(const Marker& marker, bool enlarged, double ratio);
   enum class TextPart { kDarkEdge, kLightEdge, kInk };
-  const QPixmap& letterSprite(const QString& letter, TextPart part, const QColor& color, const QFont& font,
-                              double ratio);
-  const QPixmap& textSprite(const QString& text, const QColor& color, const QFont& font, double ratio);
-  [[nodiscard]] const QPixmap& keep(const QString& key, const QPixmap& sprite);
+  [[nodiscard]] static QPixmap markerSprite(const Marker& marker, bool enlarged, double ratio);
+  [[nodiscard]] QPixmap letterSprite(const QString& letter, TextPart part, const QColor& color, double ratio) const;
+  [[nodiscard]] QPixmap textSprite(const QString& text, const QColor& color, double ratio) const;
+  void useFont(const QFont& font);
 
-  QHash<QString, QPixmap> sprites_;
+  QFont font_;        // of the painter, as last seen
+  QFont bold_;        // the same, for texts
+  QString bold_key_;  // slow to make
 };
 
 }  // namespace cad2slam

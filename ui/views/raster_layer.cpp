@@ -15,6 +15,7 @@ namespace cad2slam {
 namespace {
 
 constexpr int kTile = RasterSource::kTileSize;
+constexpr int kPiece_px = 1 << 16;  // OpenCV does so many with the calling thread alone
 
 int typeOf(QImage::Format format) {
   return format == QImage::Format_Grayscale8 ? CV_8UC1 : CV_8UC4;
@@ -162,20 +163,28 @@ void RasterLayer::resample(const QTransform& device_from_image, const QRect& dev
   const QPointF origin = patchFromDevice(0, 0);
   const QPointF x_step = patchFromDevice(1, 0) - origin;
   const QPointF y_step = patchFromDevice(0, 1) - origin;
-  const cv::Matx23d affine(x_step.x(), y_step.x(), origin.x(), x_step.y(), y_step.y(), origin.y());
-
   const double pixel_size = 1.0 / std::sqrt(std::abs(x_step.x() * y_step.y() - x_step.y() * y_step.x()));
   const int method = pixel_size >= 2.0 ? cv::INTER_NEAREST : cv::INTER_LINEAR;
   const cv::Mat& patch = patch_;
   cv::Mat picture = matOf(picture_);
   cv::Mat target = picture(cv::Rect(area.x(), area.y(), area.width(), area.height()));
-  if (patch.channels() == 1) {
-    grey_.create(std::max(grey_.rows, target.rows), std::max(grey_.cols, target.cols), CV_8UC1);
-    cv::Mat grey = grey_(cv::Rect(0, 0, target.cols, target.rows));
-    cv::warpAffine(patch, grey, affine, target.size(), method | cv::WARP_INVERSE_MAP, cv::BORDER_REPLICATE);
-    cv::cvtColor(grey, target, cv::COLOR_GRAY2BGRA);
-  } else {
-    cv::warpAffine(patch, target, affine, target.size(), method | cv::WARP_INVERSE_MAP, cv::BORDER_REPLICATE);
+  // OpenCV hands larger pieces to its threads, and a window must not wait for those while they are busy with a solve.
+  cv::Mat grey;
+  const int band_rows = std::max(1, kPiece_px / target.cols);
+  for (int row = 0; row < target.rows; row += band_rows) {
+    cv::Mat band = target.rowRange(row, std::min(target.rows, row + band_rows));
+    const QPointF start = origin + row * y_step;
+    const cv::Matx23d affine(x_step.x(), y_step.x(), start.x(), x_step.y(), y_step.y(), start.y());
+    const auto warpInto = [&](cv::Mat& out) {
+      cv::warpAffine(patch, out, affine, band.size(), method | cv::WARP_INVERSE_MAP, cv::BORDER_REPLICATE);
+    };
+    if (patch.channels() == 1) {
+      grey.create(band.size(), CV_8UC1);
+      warpInto(grey);
+      cv::cvtColor(grey, band, cv::COLOR_GRAY2BGRA);
+    } else {
+      warpInto(band);
+    }
   }
 
   const QPolygonF outline = device_from_image.map(QPolygonF(QRectF(QPointF(0, 0), QSizeF(source_->size()))));

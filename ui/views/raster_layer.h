@@ -51,7 +51,6 @@ class RasterLayer {
   bool patch_complete_ = true;  // no tile stands in for a missing one
 
   // The last picture, device pixels.
-  cv::Mat grey_;
   QImage picture_;
   QTransform picture_transform_;
   QColor picture_background_;
