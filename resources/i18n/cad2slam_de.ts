@@ -1504,6 +1504,14 @@
         <source>SHA-256 of the images: blueprint %1, SLAM map %2</source>
         <translation>SHA-256 der Bilder: Bauplan %1, SLAM-Karte %2</translation>
     </message>
+    <message>
+        <source>Solving the alignment from nothing…</source>
+        <translation>Die Ausrichtung wird von Grund auf berechnet …</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
 </context>
 <context>
     <name>cad2slam::MainWindow</name>

@@ -1504,6 +1504,14 @@
         <source>SHA-256 of the images: blueprint %1, SLAM map %2</source>
         <translation>SHA-256 de las imágenes: plano %1, mapa SLAM %2</translation>
     </message>
+    <message>
+        <source>Solving the alignment from nothing…</source>
+        <translation>Calculando la alineación desde cero…</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Cancelar</translation>
+    </message>
 </context>
 <context>
     <name>cad2slam::MainWindow</name>

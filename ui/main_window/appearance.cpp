@@ -115,8 +115,11 @@ void applyLanguage(const QString& language) {
   static QTranslator of_qt;
   QCoreApplication::removeTranslator(&own);
   QCoreApplication::removeTranslator(&of_qt);
-  if (own.load(locale, QStringLiteral("cad2slam"), QStringLiteral("_"), QStringLiteral(":/i18n")))
-    QCoreApplication::installTranslator(&own);
+  const auto load = [](const QLocale& of) {
+    return own.load(of, QStringLiteral("cad2slam"), QStringLiteral("_"), QStringLiteral(":/i18n"));
+  };
+  // Where nothing else is there, English knows at least singular and plural.
+  if (load(locale) || load(QLocale(QLocale::English))) QCoreApplication::installTranslator(&own);
   if (of_qt.load(locale, QStringLiteral("qtbase"), QStringLiteral("_"),
                  QLibraryInfo::path(QLibraryInfo::TranslationsPath)))
     QCoreApplication::installTranslator(&of_qt);

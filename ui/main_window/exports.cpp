@@ -4,22 +4,29 @@
 
 #include "cad2slam/io/anchors_csv.h"
 #include "cad2slam/io/projector_file.h"
-#include "cad2slam/projection/make_projector.h"
 #include "ui/convert.h"
 #include "ui/document/anchor_commands.h"
 #include "ui/models/number_text.h"
 #include "ui/panels/message_bar.h"
+#include "ui/services/guarded.h"
+#include "ui/services/solve_worker.h"
+#include "ui/views/background_thread.h"
 
 #include <QCoreApplication>
 #include <QDateTime>
+#include <QEventLoop>
 #include <QFileDialog>
 #include <QFileInfo>
+#include <QFutureWatcher>
 #include <QLocale>
+#include <QProgressDialog>
 #include <QStandardPaths>
 #include <QTimeZone>
+#include <QtConcurrent>
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace cad2slam {
 namespace {
@@ -165,10 +172,7 @@ bool Exports::exportAnchors(const QString& path) {
   return true;
 }
 
-Result<ProjectorData> Exports::projectorData(const QString& overridden) const {
-  const SolveResultPtr& result = session_.alignment().result();
-  if (!result || !session_.alignment().isCurrent())
-    return fail(ErrorCode::kDegenerate, "There is no up-to-date alignment to export");
+ProjectorOptions Exports::projectorOptions(const QString& overridden) const {
   ProjectDocument& document = session_.document();
   const ProjectSlamMap& map = *document.currentMap();
   ProjectorOptions options;
@@ -178,12 +182,55 @@ Result<ProjectorData> Exports::projectorData(const QString& overridden) const {
   options.created = toStd(QDateTime::currentDateTimeUtc().toString(Qt::ISODate));
   options.project = document.path().filename().string();
   options.note = toStd(overridden);
-  return makeProjectorData(*result->mesh, result->solution, result->anchors, options);
+  return options;
+}
+
+Result<SolveResultPtr> Exports::solveAfresh() {
+  const SolveResultPtr& shown = session_.alignment().result();
+  if (!shown || !session_.alignment().isCurrent())
+    return fail(ErrorCode::kDegenerate, "There is no up-to-date alignment to export");
+  SolveRequest request;
+  request.revision = shown->revision;
+  request.map = shown->map;
+  request.blueprint = session_.rasters().grid(Side::kBlueprint);
+  request.slam_frame = session_.rasters().frame(Side::kSlam);
+  request.anchors = shown->anchors;
+  request.settings = shown->settings;
+  request.cell_size_m = shown->cell_size_m;
+
+  using Outcome = Result<SolveResultPtr>;
+  QFutureWatcher<Outcome> watcher;
+  QEventLoop until_done;
+  connect(&watcher, &QFutureWatcherBase::finished, &until_done, &QEventLoop::quit);
+  QProgressDialog progress(tr("Solving the alignment from nothing…"), tr("Cancel"), 0, 0, &window_);
+  progress.setWindowModality(Qt::WindowModal);
+  connect(&progress, &QProgressDialog::canceled, &watcher, [&watcher] { watcher.cancel(); });
+  watcher.setFuture(QtConcurrent::run([request = std::move(request)](QPromise<Outcome>& promise) {
+    giveWayToWindow();
+    promise.addResult(guarded([&]() -> Outcome {
+      return SolveWorker().solveAside(request, [&promise](const IterationReport&) {
+        return promise.isCanceled() ? NextStep::kStop : NextStep::kContinue;
+      });
+    }));
+  }));
+  until_done.exec();
+  if (watcher.isCanceled() || watcher.future().resultCount() == 0)
+    return fail(ErrorCode::kCancelled, "The export was cancelled, nothing was written");
+  return watcher.result();
 }
 
 bool Exports::exportProjector(const QString& path, const QString& overridden) {
   const QString id = QStringLiteral("export-projector");
-  const Result<ProjectorData> data = projectorData(overridden);
+  if (std::exchange(exporting_, true)) return false;  // the last one is still solving
+  const ProjectorOptions options = session_.alignment().result() ? projectorOptions(overridden) : ProjectorOptions();
+  const Result<SolveResultPtr> solved = solveAfresh();
+  exporting_ = false;
+  if (!solved) {
+    showError(id, solved.error());
+    return false;
+  }
+  const SolveResult& result = **solved;
+  const Result<ProjectorData> data = makeProjectorData(*result.mesh, result.solution, result.anchors, options);
   if (!data) {
     showError(id, data.error());
     return false;
@@ -192,7 +239,6 @@ bool Exports::exportProjector(const QString& path, const QString& overridden) {
     showError(id, written.error());
     return false;
   }
-  const SolveResult& result = *session_.alignment().result();
   const Result<double> difference = readBackDifference(toPath(path), result.projector, *result.mesh);
   if (!difference) {
     showError(id, difference.error());

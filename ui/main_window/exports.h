@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "cad2slam/projection/projector_data.h"
+#include "cad2slam/projection/make_projector.h"
 #include "ui/dialogs/export_dialog.h"
 #include "ui/main_window/session.h"
 
@@ -40,13 +40,17 @@ class Exports : public QObject {
   void askInspectProjector();
 
  private:
-  [[nodiscard]] Result<ProjectorData> projectorData(const QString& overridden) const;
+  /// The alignment of the document as it is, solved from nothing and aside of the window: the same document gives the
+  /// same projector to the last bit, whatever was edited before. The installer can cancel it.
+  [[nodiscard]] Result<SolveResultPtr> solveAfresh();
+  [[nodiscard]] ProjectorOptions projectorOptions(const QString& overridden) const;
   void showError(const QString& id, const Error& error);
   [[nodiscard]] QString suggestion(const QString& extension) const;
 
   Session& session_;
   MessageBar& messages_;
   QWidget& window_;
+  bool exporting_ = false;
 };
 
 }  // namespace cad2slam

@@ -283,6 +283,18 @@ class LookingTest : public QObject {
     QVERIFY(!office.window.status().hint().contains(QStringLiteral("Choose")));
     applyLanguage(QStringLiteral("en"));
   }
+
+  void englishCountsAnchors() {
+    const auto imported = [](int count) {
+      return QCoreApplication::translate("cad2slam::Exports", "%n anchor(s) imported", nullptr, count);
+    };
+    for (const char* language : {"en", "en_GB", "C", "fi"}) {
+      applyLanguage(QString::fromLatin1(language));
+      QCOMPARE(imported(1), QStringLiteral("1 anchor imported"));
+      QCOMPARE(imported(2), QStringLiteral("2 anchors imported"));
+    }
+    applyLanguage(QStringLiteral("en"));
+  }
 };
 
 QTEST_MAIN(LookingTest)
