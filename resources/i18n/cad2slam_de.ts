@@ -1469,10 +1469,6 @@
         <translation>Anker importieren</translation>
     </message>
     <message>
-        <source>Anchors (*.csv *.txt *.data);;All files (*)</source>
-        <translation>Anker (*.csv *.txt *.data);;Alle Dateien (*)</translation>
-    </message>
-    <message>
         <source>Export anchors</source>
         <translation>Anker exportieren</translation>
     </message>
@@ -1511,6 +1507,18 @@
     <message>
         <source>Cancel</source>
         <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>read as the SLAM map bent onto the blueprint</source>
+        <translation>gelesen als SLAM-Karte, die auf den Bauplan gebogen wurde</translation>
+    </message>
+    <message>
+        <source>read as the blueprint bent onto the SLAM map</source>
+        <translation>gelesen als Bauplan, der auf die SLAM-Karte gebogen wurde</translation>
+    </message>
+    <message>
+        <source>Anchors (*.csv *.txt *.data *.points);;All files (*)</source>
+        <translation>Anker (*.csv *.txt *.data *.points);;Alle Dateien (*)</translation>
     </message>
 </context>
 <context>
@@ -1699,6 +1707,10 @@ Karten-YAML, PGM, PNG oder TIFF</translation>
         <source>Blueprint on SLAM map</source>
         <translation>Bauplan auf SLAM-Karte</translation>
     </message>
+    <message>
+        <source>Distance to anchors</source>
+        <translation>Abstand zu Ankern</translation>
+    </message>
 </context>
 <context>
     <name>cad2slam::PreviewView</name>
@@ -1815,6 +1827,19 @@ Karten-YAML, PGM, PNG oder TIFF</translation>
     <message>
         <source>From the projected to the clicked place</source>
         <translation>Von der projizierten zur geklickten Stelle</translation>
+    </message>
+    <message>
+        <source>Distance to the nearest anchor</source>
+        <translation>Abstand zum nächsten Anker</translation>
+    </message>
+    <message>
+        <source>Anchors help most where it is red</source>
+        <translation>Rot: hier hilft ein Anker am meisten</translation>
+    </message>
+    <message>
+        <source> m</source>
+        <comment>metres</comment>
+        <translation> m</translation>
     </message>
 </context>
 <context>

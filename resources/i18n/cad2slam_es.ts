@@ -1469,10 +1469,6 @@
         <translation>Importar anclas</translation>
     </message>
     <message>
-        <source>Anchors (*.csv *.txt *.data);;All files (*)</source>
-        <translation>Anclas (*.csv *.txt *.data);;Todos los archivos (*)</translation>
-    </message>
-    <message>
         <source>Export anchors</source>
         <translation>Exportar anclas</translation>
     </message>
@@ -1511,6 +1507,18 @@
     <message>
         <source>Cancel</source>
         <translation>Cancelar</translation>
+    </message>
+    <message>
+        <source>read as the SLAM map bent onto the blueprint</source>
+        <translation>leídos como el mapa SLAM deformado sobre el plano</translation>
+    </message>
+    <message>
+        <source>read as the blueprint bent onto the SLAM map</source>
+        <translation>leídos como el plano deformado sobre el mapa SLAM</translation>
+    </message>
+    <message>
+        <source>Anchors (*.csv *.txt *.data *.points);;All files (*)</source>
+        <translation>Anclas (*.csv *.txt *.data *.points);;Todos los archivos (*)</translation>
     </message>
 </context>
 <context>
@@ -1699,6 +1707,10 @@ YAML de mapa, PGM, PNG o TIFF</translation>
         <source>Blueprint on SLAM map</source>
         <translation>Plano sobre mapa SLAM</translation>
     </message>
+    <message>
+        <source>Distance to anchors</source>
+        <translation>Distancia a las anclas</translation>
+    </message>
 </context>
 <context>
     <name>cad2slam::PreviewView</name>
@@ -1815,6 +1827,19 @@ YAML de mapa, PGM, PNG o TIFF</translation>
     <message>
         <source>From the projected to the clicked place</source>
         <translation>Del lugar proyectado al lugar marcado</translation>
+    </message>
+    <message>
+        <source>Distance to the nearest anchor</source>
+        <translation>Distancia al ancla más cercana</translation>
+    </message>
+    <message>
+        <source>Anchors help most where it is red</source>
+        <translation>Rojo: aquí es donde más ayuda un ancla</translation>
+    </message>
+    <message>
+        <source> m</source>
+        <comment>metres</comment>
+        <translation> m</translation>
     </message>
 </context>
 <context>

@@ -4,6 +4,7 @@
 
 #include "cad2slam/io/anchors_csv.h"
 #include "cad2slam/io/projector_file.h"
+#include "cad2slam/io/qgis_points.h"
 #include "ui/convert.h"
 #include "ui/document/anchor_commands.h"
 #include "ui/models/number_text.h"
@@ -15,6 +16,7 @@
 #include <QCoreApplication>
 #include <QDateTime>
 #include <QEventLoop>
+#include <QFile>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QFutureWatcher>
@@ -134,13 +136,29 @@ QString Exports::suggestion(const QString& extension) const {
   return folder + QLatin1Char('/') + stem + map + extension;
 }
 
+Result<AnchorImport> Exports::readAnchorFile(const QString& path, QString& how) const {
+  QFile file(path);
+  if (!file.open(QIODevice::ReadOnly) || !looksLikeQgisPoints(toStd(QString::fromUtf8(file.read(4096)))))
+    return readAnchors(toPath(path));
+  const std::optional<MapFrame>& blueprint = session_.rasters().frame(Side::kBlueprint);
+  const std::optional<MapFrame>& slam = session_.rasters().frame(Side::kSlam);
+  if (!blueprint || !slam)
+    return fail(ErrorCode::kDegenerate, "Points of QGIS are pixels: load both images first", toStd(path));
+  Result<QgisImport> read = readQgisPoints(toPath(path), *blueprint, *slam);
+  if (!read) return failAs(read);
+  how = QStringLiteral(", ") + (read->reading.slam_is_source ? tr("read as the SLAM map bent onto the blueprint")
+                                                             : tr("read as the blueprint bent onto the SLAM map"));
+  return std::move(read->import);
+}
+
 bool Exports::importAnchors(const QString& path) {
   const QString id = QStringLiteral("import");
   if (!session_.document().currentMap()) {
     messages_.show({id, Severity::kWarning, tr("Choose a SLAM map first: anchors belong to one"), {}, 8000});
     return false;
   }
-  Result<AnchorImport> read = readAnchors(toPath(path));
+  QString how;
+  Result<AnchorImport> read = readAnchorFile(path, how);
   if (!read) {
     showError(id, read.error());
     return false;
@@ -148,7 +166,7 @@ bool Exports::importAnchors(const QString& path) {
   const std::size_t count = read->anchors.size();
   edit::addAnchors(session_.document(), std::move(read->anchors), tr("import %n anchor(s)", nullptr, int(count)));
   session_.selection().clear();  // dozens of selected anchors would hide the maps
-  QString text = tr("%n anchor(s) imported", nullptr, int(count));
+  QString text = tr("%n anchor(s) imported", nullptr, int(count)) + how;
   if (!read->rejected.empty()) {
     QStringList lines;
     for (const RejectedLine& line : read->rejected)
@@ -291,7 +309,7 @@ bool Exports::inspectProjector(const QString& path) {
 
 void Exports::askImportAnchors() {
   const QString path = QFileDialog::getOpenFileName(&window_, tr("Import anchors"), suggestion(QString()),
-                                                    tr("Anchors (*.csv *.txt *.data);;All files (*)"));
+                                                    tr("Anchors (*.csv *.txt *.data *.points);;All files (*)"));
   if (!path.isEmpty()) importAnchors(path);
 }
 

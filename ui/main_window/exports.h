@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "cad2slam/io/anchors_csv.h"
 #include "cad2slam/projection/make_projector.h"
 #include "ui/dialogs/export_dialog.h"
 #include "ui/main_window/session.h"
@@ -44,6 +45,8 @@ class Exports : public QObject {
   /// same projector to the last bit, whatever was edited before. The installer can cancel it.
   [[nodiscard]] Result<SolveResultPtr> solveAfresh();
   [[nodiscard]] ProjectorOptions projectorOptions(const QString& overridden) const;
+  /// Any file of anchors; `how`: what to add to the message about it.
+  [[nodiscard]] Result<AnchorImport> readAnchorFile(const QString& path, QString& how) const;
   void showError(const QString& id, const Error& error);
   [[nodiscard]] QString suggestion(const QString& extension) const;
 

@@ -193,7 +193,8 @@ void MainWindow::connectFileActions() {
     // Whatever belongs to a site can be dropped anywhere.
     for (auto path = paths.begin(); path != paths.end();) {
       const bool anchors = path->endsWith(QStringLiteral(".csv"), Qt::CaseInsensitive) ||
-                           path->endsWith(QStringLiteral(".data"), Qt::CaseInsensitive);
+                           path->endsWith(QStringLiteral(".data"), Qt::CaseInsensitive) ||
+                           path->endsWith(QStringLiteral(".points"), Qt::CaseInsensitive);
       const bool projector = path->endsWith(QStringLiteral(".c2s"), Qt::CaseInsensitive);
       if (anchors) exports_->importAnchors(*path);
       if (projector) exports_->inspectProjector(*path);

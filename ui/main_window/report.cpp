@@ -22,6 +22,8 @@ namespace {
 
 constexpr int kDotsPerInch = 150;
 constexpr int kMarginMm = 14;
+constexpr int kPageHeight = 860;  // at least, between the margins; like all below at 96 dots per inch
+constexpr int kHeadingHeight = 50;
 constexpr int kPictureWidth = 530;  // of the page between its margins and those that printing a document adds
 
 struct Text {
@@ -98,14 +100,19 @@ QString reportHtml(Session& session, const ReportExtras& extras) {
     for (const QString& finding : extras.findings) html += QStringLiteral("<li>%1</li>").arg(finding.toHtmlEscaped());
     html += QStringLiteral("</ul>");
   }
+  int free_height = 0;  // below the preview, which follows what is above: the next picture begins a page
   for (std::size_t i = 0; i < extras.pictures.size(); ++i) {
-    // Without a height, room is left for the picture in its full size.
     const QSize size = extras.pictures[i].image.size();
-    html += QStringLiteral("<h2>%1</h2><img src=\"picture%2\" width=\"%3\" height=\"%4\">")
-                .arg(extras.pictures[i].caption.toHtmlEscaped())
+    // Without a height, room is left for the picture in its full size.
+    const int height = size.isEmpty() ? 0 : kPictureWidth * size.height() / size.width();
+    const bool new_page = i > 0 && height + kHeadingHeight > free_height;
+    html += QStringLiteral("<h2%1>%2</h2><p><img src=\"picture%3\" width=\"%4\" height=\"%5\"></p>")
+                .arg(new_page ? QStringLiteral(" style=\"page-break-before: always\"") : QString(),
+                     extras.pictures[i].caption.toHtmlEscaped())
                 .arg(i)
                 .arg(kPictureWidth)
-                .arg(size.isEmpty() ? 0 : kPictureWidth * size.height() / size.width());
+                .arg(height);
+    if (i > 0) free_height = (new_page ? kPageHeight : free_height) - height - kHeadingHeight;
   }
 
   html += QStringLiteral("<h2>%1</h2><table cellpadding=\"2\" width=\"100%\">").arg(Text::tr("Anchors"));

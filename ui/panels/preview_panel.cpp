@@ -37,6 +37,7 @@ constexpr ModeRow kModes[] = {
     {PreviewMode::kResiduals, QT_TRANSLATE_NOOP("cad2slam::PreviewPanel", "Residuals"), "residuals"},
     {PreviewMode::kStretch, QT_TRANSLATE_NOOP("cad2slam::PreviewPanel", "Local scale"), "heat_map"},
     {PreviewMode::kRotation, QT_TRANSLATE_NOOP("cad2slam::PreviewPanel", "Local turn"), "rotate_right"},
+    {PreviewMode::kCoverage, QT_TRANSLATE_NOOP("cad2slam::PreviewPanel", "Distance to anchors"), "coverage"},
     {PreviewMode::kAllMaps, QT_TRANSLATE_NOOP("cad2slam::PreviewPanel", "All SLAM maps"), "all_maps"},
 };
 static_assert(std::size(kModes) == kPreviewModeCount);

@@ -8,6 +8,9 @@
 #include <array>
 #include <chrono>
 #include <cmath>
+#include <functional>
+#include <limits>
+#include <utility>
 
 #include <opencv2/core/utility.hpp>
 #include <opencv2/imgproc.hpp>
@@ -235,60 +238,76 @@ Result<QImage> drawInks(const PreviewScene& scene, const MapFrame& view) {
   return toImage(paper, QImage::Format_RGB32);
 }
 
-/// Local scale or turn of a projector relative to its mean, and which value gets the strongest colour.
-class HeatScale {
- public:
-  HeatScale(const Projector& projector, PreviewKind kind) : kind_(kind) {
-    std::vector<double> values;
-    double sine = 0.0;
-    double cosine = 0.0;
-    double log_scale = 0.0;
-    for (const Vector2d& middle : projector.tileMiddles()) {
-      const Eigen::Matrix2d jacobian = projector.jacobian(middle);
-      if (!(jacobian.determinant() > 0.0)) continue;
-      const double turn = turnOf(jacobian);
-      sine += std::sin(turn);
-      cosine += std::cos(turn);
-      log_scale += 0.5 * std::log(jacobian.determinant());
-      values.push_back(kind_ == PreviewKind::kRotation ? turn : 0.5 * std::log(jacobian.determinant()));
-    }
-    if (values.empty()) return;
-    mean_ = kind_ == PreviewKind::kRotation ? std::atan2(sine, cosine) : log_scale / static_cast<double>(values.size());
-    for (double& value : values) value = std::abs(relative(value));
-    const auto high = values.begin() + static_cast<std::ptrdiff_t>(0.95 * static_cast<double>(values.size() - 1));
-    std::nth_element(values.begin(), high, values.end());
-    full_ = niceAbove(std::max(*high, kind_ == PreviewKind::kRotation ? 0.5 * kPi / 180.0 : 0.005));
+/// 1, 2 or 5 times a power of ten of a unit.
+double niceAbove(double value, double unit) {
+  const double in_units = value / unit;
+  const double decade = std::pow(10.0, std::floor(std::log10(in_units)));
+  for (const double factor : {1.0, 2.0, 5.0}) {
+    if (in_units <= factor * decade) return factor * decade * unit;
   }
+  return 10.0 * decade * unit;
+}
 
-  [[nodiscard]] double full() const { return full_; }
-  /// NaN where the mesh is folded.
-  [[nodiscard]] double at(const Eigen::Matrix2d& jacobian) const {
-    if (!(jacobian.determinant() > 0.0)) return std::nan("");
-    return relative(kind_ == PreviewKind::kRotation ? turnOf(jacobian) : 0.5 * std::log(jacobian.determinant()));
-  }
+/// What nearly all of some values do not exceed; the strongest colour is for the rest.
+double nearlyLargest(std::vector<double> values) {
+  if (values.empty()) return 0.0;
+  const auto high = values.begin() + static_cast<std::ptrdiff_t>(0.95 * static_cast<double>(values.size() - 1));
+  std::nth_element(values.begin(), high, values.end());
+  return *high;
+}
 
- private:
-  static double turnOf(const Eigen::Matrix2d& jacobian) {
-    return std::atan2(jacobian(1, 0) - jacobian(0, 1), jacobian(0, 0) + jacobian(1, 1));
-  }
-  [[nodiscard]] double relative(double value) const {
-    return kind_ == PreviewKind::kRotation ? wrapAngle(value - mean_) : std::expm1(value - mean_);
-  }
-  /// 1, 2 or 5 times a power of ten of a per cent or of a degree.
-  [[nodiscard]] double niceAbove(double value) const {
-    const double unit = kind_ == PreviewKind::kRotation ? kPi / 180.0 : 0.01;
-    const double in_units = value / unit;
-    const double decade = std::pow(10.0, std::floor(std::log10(in_units)));
-    for (const double factor : {1.0, 2.0, 5.0}) {
-      if (in_units <= factor * decade) return factor * decade * unit;
-    }
-    return 10.0 * decade * unit;
-  }
-
-  PreviewKind kind_;
-  double mean_ = 0.0;
-  double full_ = 0.01;
+/// A number for each place of the blueprint [m], NaN where the mesh is folded, and which one gets the strongest colour.
+struct HeatField {
+  std::function<double(const Vector2d& place)> value;
+  double full = 0.0;
 };
+
+/// Local scale or turn relative to its mean.
+HeatField bendField(const Projector& projector, PreviewKind kind) {
+  const bool is_turn = kind == PreviewKind::kRotation;
+  const auto valueOf = [is_turn](const Eigen::Matrix2d& jacobian) {
+    return is_turn ? std::atan2(jacobian(1, 0) - jacobian(0, 1), jacobian(0, 0) + jacobian(1, 1))
+                   : 0.5 * std::log(jacobian.determinant());
+  };
+  std::vector<double> values;
+  double sine = 0.0;
+  double cosine = 0.0;
+  double sum = 0.0;
+  for (const Vector2d& middle : projector.tileMiddles()) {
+    const Eigen::Matrix2d jacobian = projector.jacobian(middle);
+    if (!(jacobian.determinant() > 0.0)) continue;
+    values.push_back(valueOf(jacobian));
+    sine += std::sin(values.back());
+    cosine += std::cos(values.back());
+    sum += values.back();
+  }
+  const double mean =
+      is_turn ? std::atan2(sine, cosine) : sum / static_cast<double>(std::max<std::size_t>(1, values.size()));
+  const auto relative = [is_turn, mean](double value) {
+    return is_turn ? wrapAngle(value - mean) : std::expm1(value - mean);
+  };
+  for (double& value : values) value = std::abs(relative(value));
+  const double least = is_turn ? 0.5 * kPi / 180.0 : 0.005;
+  return {[&projector, valueOf, relative](const Vector2d& place) {
+            const Eigen::Matrix2d jacobian = projector.jacobian(place);
+            return jacobian.determinant() > 0.0 ? relative(valueOf(jacobian)) : std::nan("");
+          },
+          niceAbove(std::max(nearlyLargest(std::move(values)), least), is_turn ? kPi / 180.0 : 0.01)};
+}
+
+/// Distance to the nearest anchor.
+HeatField coverageField(const Projector& projector, const std::vector<Vector2d>& anchors) {
+  const auto distance = [&anchors](const Vector2d& place) {
+    double nearest = std::numeric_limits<double>::infinity();
+    for (const Vector2d& anchor : anchors) nearest = std::min(nearest, (anchor - place).squaredNorm());
+    return std::sqrt(nearest);
+  };
+  std::vector<double> values;
+  if (!anchors.empty()) {
+    for (const Vector2d& middle : projector.tileMiddles()) values.push_back(distance(middle));
+  }
+  return {distance, niceAbove(std::max(nearlyLargest(std::move(values)), 1.0), 1.0)};
+}
 
 /// Blueprint places [m] of a lattice over a view, with a step of kHeatStep_px from the middle of its first pixel on;
 /// NaN where the projector has no answer. CV_64FC2.
@@ -311,8 +330,9 @@ cv::Mat placesInBlueprint(const PreviewScene& scene, const MapFrame& view) {
 
 QImage drawHeat(const PreviewScene& scene, PreviewKind kind, const MapFrame& view, double* full_color) {
   const Projector& projector = scene.layers.front().projector;
-  const HeatScale scale(projector, kind);
-  *full_color = scale.full();
+  const HeatField field =
+      kind == PreviewKind::kCoverage ? coverageField(projector, scene.anchors) : bendField(projector, kind);
+  *full_color = field.full;
   const cv::Mat places = placesInBlueprint(scene, view);
   cv::Mat colors(places.size(), CV_8UC3, cv::Scalar());  // black where folded or unknown
   cv::parallel_for_(cv::Range(0, places.rows), [&](const cv::Range& range) {
@@ -320,9 +340,9 @@ QImage drawHeat(const PreviewScene& scene, PreviewKind kind, const MapFrame& vie
       for (int column = 0; column < places.cols; ++column) {
         const cv::Vec2d place = places.at<cv::Vec2d>(row, column);
         if (std::isnan(place[0])) continue;
-        const double value = scale.at(projector.jacobian({place[0], place[1]}));
+        const double value = field.value({place[0], place[1]});
         if (std::isnan(value)) continue;
-        const QColor color = strainColor(value, scale.full());
+        const QColor color = strainColor(value, field.full);
         colors.at<cv::Vec3b>(row, column) = cv::Vec3b(
             static_cast<uchar>(color.blue()), static_cast<uchar>(color.green()), static_cast<uchar>(color.red()));
       }
@@ -404,6 +424,7 @@ Result<PreviewPicture> renderPreview(const PreviewRequest& request) {
       break;
     case PreviewKind::kStretch:
     case PreviewKind::kRotation:
+    case PreviewKind::kCoverage:
       image = drawHeat(*request.scene, request.kind, *view, &picture.full_color);
       break;
   }

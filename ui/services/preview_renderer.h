@@ -38,7 +38,8 @@ struct PreviewScene {
   PreviewRaster base;
   WarpDirection direction = WarpDirection::kToBlueprint;
   QColor base_ink;
-  std::vector<PreviewLayer> layers;  ///< the current map first; kInks draws all, everything else the first
+  std::vector<Eigen::Vector2d> anchors;  ///< enabled ones, blueprint frame [m]; for kCoverage
+  std::vector<PreviewLayer> layers;      ///< the current map first; kInks draws all, everything else the first
 };
 
 struct PreviewRequest {

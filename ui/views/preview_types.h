@@ -25,12 +25,13 @@ enum class PreviewMode {
   kResiduals,  ///< what each anchor misses
   kStretch,    ///< heat map: local scale against the mean
   kRotation,   ///< heat map: local turn against the mean
+  kCoverage,   ///< heat map: how far the nearest anchor is
   kAllMaps,    ///< all SLAM maps over the blueprint, each in its ink
 };
-inline constexpr int kPreviewModeCount = 10;
+inline constexpr int kPreviewModeCount = 11;
 
 /// What a worker has to draw for a mode.
-enum class PreviewKind { kWarped, kInks, kStretch, kRotation };
+enum class PreviewKind { kWarped, kInks, kStretch, kRotation, kCoverage };
 
 [[nodiscard]] constexpr PreviewKind previewKind(PreviewMode mode) {
   switch (mode) {
@@ -41,6 +42,8 @@ enum class PreviewKind { kWarped, kInks, kStretch, kRotation };
       return PreviewKind::kStretch;
     case PreviewMode::kRotation:
       return PreviewKind::kRotation;
+    case PreviewMode::kCoverage:
+      return PreviewKind::kCoverage;
     default:
       return PreviewKind::kWarped;
   }
@@ -52,8 +55,9 @@ struct PreviewPicture {
   ViewState state;
   QSize size;  ///< logical pixels, margin included
   PreviewKind kind = PreviewKind::kWarped;
-  double full_color = 0.0;  ///< value of the strongest colour: a part for kStretch, radians for kRotation
-  double seconds = 0.0;     ///< to make it
+  double full_color =
+      0.0;  ///< value of the strongest colour: a part for kStretch, radians for kRotation, metres for kCoverage
+  double seconds = 0.0;  ///< to make it
 };
 
 /// A line of the legend.

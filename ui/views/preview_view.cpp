@@ -25,7 +25,7 @@ constexpr double kHeatOpacity = 0.65;
 const QColor kBanner(0xb2, 0x5d, 0x00);
 
 bool isHeat(PreviewMode mode) {
-  return mode == PreviewMode::kStretch || mode == PreviewMode::kRotation;
+  return mode == PreviewMode::kStretch || mode == PreviewMode::kRotation || mode == PreviewMode::kCoverage;
 }
 
 }  // namespace
@@ -185,6 +185,7 @@ void PreviewView::paintBase(QPainter& painter) {
       break;
     case PreviewMode::kStretch:
     case PreviewMode::kRotation:
+    case PreviewMode::kCoverage:
       paintPicture(painter, kHeatOpacity);
       break;
     case PreviewMode::kBlink:
@@ -251,6 +252,8 @@ QString PreviewView::legendTitle() const {
       return tr("Local scale against the mean");
     case PreviewMode::kRotation:
       return tr("Local turn against the mean");
+    case PreviewMode::kCoverage:
+      return tr("Distance to the nearest anchor");
     case PreviewMode::kAllMaps:
       return tr("All SLAM maps");
   }
@@ -269,6 +272,8 @@ QString PreviewView::legendHint() const {
       return tr("Dark: both agree");
     case PreviewMode::kResiduals:
       return tr("From the projected to the clicked place");
+    case PreviewMode::kCoverage:
+      return tr("Anchors help most where it is red");
     default:
       return {};
   }
@@ -307,6 +312,8 @@ std::vector<PreviewView::LegendRow> PreviewView::legendRows() const {
     case PreviewMode::kStretch:
     case PreviewMode::kRotation:
       rows.push_back({QColor(0, 0, 0), tr("black: the mesh folds")});
+      break;
+    case PreviewMode::kCoverage:
       break;
   }
   return rows;
@@ -354,21 +361,25 @@ void PreviewView::paintLegend(QPainter& painter) {
   if (ramp) {
     const QRectF bar(box.left() + 9.0, y + 2.0, box.width() - 18.0, line - 5.0);
     QLinearGradient gradient(bar.topLeft(), bar.topRight());
-    for (int i = 0; i <= 10; ++i) gradient.setColorAt(i / 10.0, strainColor(i / 5.0 - 1.0, 1.0));
+    const bool one_sided = mode_ == PreviewMode::kCoverage;
+    for (int i = 0; i <= 10; ++i) {
+      gradient.setColorAt(i / 10.0, strainColor(one_sided ? i / 10.0 : i / 5.0 - 1.0, 1.0));
+    }
     painter.fillRect(bar, gradient);
     y += line;
     const QLocale locale;
     const bool turn = mode_ == PreviewMode::kRotation;
-    const double full =
-        mode_ == PreviewMode::kMesh ? full_color_strain_ * 100.0 : picture_.full_color * (turn ? 180.0 / kPi : 100.0);
-    const QString unit = turn ? tr("\u00b0", "degrees") : tr(" %", "per cent");
+    const double in_unit = one_sided ? 1.0 : turn ? 180.0 / kPi : 100.0;
+    const double full = (mode_ == PreviewMode::kMesh ? full_color_strain_ : picture_.full_color) * in_unit;
+    const QString unit = one_sided ? tr(" m", "metres") : turn ? tr("\u00b0", "degrees") : tr(" %", "per cent");
     const QString number = locale.toString(full, 'g', 2) + unit;
     painter.setFont(plain);
     painter.setPen(ink);
     const QRectF labels(bar.left(), y, bar.width(), line);
-    painter.drawText(labels, Qt::AlignLeft | Qt::AlignVCenter, QStringLiteral("\u2212") + number);
-    painter.drawText(labels, Qt::AlignHCenter | Qt::AlignVCenter, QStringLiteral("0"));
-    painter.drawText(labels, Qt::AlignRight | Qt::AlignVCenter, QStringLiteral("+") + number);
+    const QString zero = QStringLiteral("0");
+    painter.drawText(labels, Qt::AlignLeft | Qt::AlignVCenter, one_sided ? zero : QStringLiteral("\u2212") + number);
+    if (!one_sided) painter.drawText(labels, Qt::AlignHCenter | Qt::AlignVCenter, zero);
+    painter.drawText(labels, Qt::AlignRight | Qt::AlignVCenter, (one_sided ? QString() : QStringLiteral("+")) + number);
     y += line;
   }
   for (const LegendRow& row : rows) {

@@ -248,6 +248,28 @@ class FilesTest : public QObject {
     QCOMPARE(a.readAll(), b.readAll());
   }
 
+  void scenario21_pointsOfQgisAreReadInPixels() {
+    OfficeWindow office;
+    const MapFrame& slam = *office.session().rasters().frame(Side::kSlam);
+    QByteArray text("mapX,mapY,sourceX,sourceY,enable,dX,dY,residual\n");
+    for (std::size_t k = 0; k < 5; ++k) {
+      const Eigen::Vector2d pixel = slam.pixelFromMetric(office.pairs[k].in_slam);
+      for (const double number : {office.pairs[k].in_blueprint.x(), office.pairs[k].in_blueprint.y(), pixel.x()})
+        text += QByteArray::number(number, 'g', 17) + ',';
+      text += QByteArray::number(-pixel.y(), 'g', 17) + ",1,0,0,0\n";
+    }
+    const QString path = sandbox_->path(QStringLiteral("slam.png.points"));
+    write(path, text);
+    QVERIFY(office.window.exports().importAnchors(path));
+    QCOMPARE(office.document().anchors().size(), std::size_t(5));
+    for (std::size_t k = 0; k < 5; ++k) {
+      QVERIFY((office.document().anchors()[k].in_blueprint - office.pairs[k].in_blueprint).norm() < 1e-9);
+      QVERIFY((office.document().anchors()[k].in_slam - office.pairs[k].in_slam).norm() < 1e-9);
+    }
+    OfficeWindow empty(false);
+    QVERIFY(!empty.window.exports().importAnchors(path));
+  }
+
   void scenario23_badMapsAreNamedAndNothingIsLost() {
     OfficeWindow office;
     office.addExact(3);

@@ -106,8 +106,9 @@ class ScreenshotsTest : public QObject {
   void everyMode() {
     OfficeWindow office(false);
     QVERIFY(office.openSolved(OfficeWindow::sample("office.c2sproj")));
-    static constexpr const char* kNames[kPreviewModeCount] = {"overlay", "two-inks",  "swipe",   "blink", "lens",
-                                                              "mesh",    "residuals", "stretch", "turn",  "all-maps"};
+    static constexpr const char* kNames[kPreviewModeCount] = {"overlay", "two-inks", "swipe",     "blink",
+                                                              "lens",    "mesh",     "residuals", "stretch",
+                                                              "turn",    "coverage", "all-maps"};
     PreviewPanel& preview = office.window.preview();
     for (int mode = 0; mode < kPreviewModeCount; ++mode) {
       preview.setMode(static_cast<PreviewMode>(mode));

@@ -185,6 +185,31 @@ class PreviewServiceTest : public QObject {
     QVERIFY(picture->full_color > 0.0);
   }
 
+  void coverageIsColouredByTheNearestAnchor_data() {
+    QTest::addColumn<bool>("to_blueprint");
+    QTest::newRow("on blueprint") << true;
+    QTest::newRow("on SLAM map") << false;
+  }
+  void coverageIsColouredByTheNearestAnchor() {
+    QFETCH(bool, to_blueprint);
+    const World world;
+    const auto scene = world.scene(to_blueprint ? WarpDirection::kToBlueprint : WarpDirection::kToSlam);
+    auto with_anchors = std::make_shared<PreviewScene>(*scene);
+    with_anchors->anchors = {{2.0, 3.0}, {2.0, 12.0}};
+    const auto seen = [&](const Vector2d& place) { return to_blueprint ? place : kSlamFromBlueprint * place; };
+    const ViewState state{toQPointF(seen({10.0, 8.0})), 0.07, 0.0};
+    const auto picture = renderPreview(requestFor(with_anchors, PreviewKind::kCoverage, state));
+    QVERIFY(picture.has_value());
+    QVERIFY(picture->full_color >= 10.0 && picture->full_color <= 20.0);
+    const auto redAt = [&](const Vector2d& place) {
+      const QColor color(pixelAt(*picture, seen(place)));
+      return color.red() - color.blue();
+    };
+    QVERIFY(redAt({2.2, 3.1}) < 15);
+    QVERIFY(redAt({8.0, 3.0}) > redAt({4.0, 3.0}) + 15);
+    QVERIFY(redAt({16.0, 8.0}) > redAt({8.0, 3.0}) + 15);
+  }
+
   void newestRequestWinsAndArrives() {
     const World world;
     PreviewService service;
