@@ -323,7 +323,7 @@ void MapView::resizeEvent(QResizeEvent* event) {
   QWidget::resizeEvent(event);
   const QPoint origin = mapTo(window(), QPoint());
   const QSize change = size() - event->oldSize();
-  const bool aimed_at = qobject_cast<const MapView*>(QApplication::widgetAt(QCursor::pos())) != nullptr;
+  const bool aimed_at = !locked_ && qobject_cast<const MapView*>(QApplication::widgetAt(QCursor::pos())) != nullptr;
   const bool by_message = isVisible() && (aimed_at || !fit_pending_) && window()->size() == window_size_ &&
                           event->oldSize().isValid() &&
                           std::max(std::abs(change.width()), std::abs(change.height())) <= kMessages_px;

@@ -47,6 +47,36 @@ class MapViewLookTest : public QObject {
     QCOMPARE(shown.view.viewState().m_per_px, zoomed);  // the user's view is not thrown away
   }
 
+  void aMessageRefitsOnlyWhatNobodyCanClickIn_data() {
+    QTest::addColumn<bool>("locked");
+    QTest::newRow("clicked in") << false;
+    QTest::newRow("locked") << true;
+  }
+  void aMessageRefitsOnlyWhatNobodyCanClickIn() {
+    QFETCH(bool, locked);
+    const cv::Mat pixels(600, 800, CV_8UC1, cv::Scalar(255));
+    QWidget window;
+    window.resize(640, 480);
+    MapView view(&window);
+    view.setGeometry(0, 0, 640, 480);
+    view.setLocked(locked);
+    view.setImage(TilePyramid::fromPixels(pixels));
+    view.setFrame(test::frameOf(pixels, kResolution));
+    window.show();
+    QVERIFY(QTest::qWaitForWindowExposed(&window));
+    view.fit();
+    QCursor::setPos(view.mapToGlobal(QPoint(300, 200)));
+    QCoreApplication::processEvents();
+    const double before = view.viewState().m_per_px;
+    view.setGeometry(0, 40, 640, 440);  // as a message bar above it does
+    QCoreApplication::processEvents();
+    if (locked) {
+      QVERIFY(view.viewState().m_per_px > before);
+    } else {
+      QCOMPARE(view.viewState().m_per_px, before);
+    }
+  }
+
   void actualSizeIsOneDevicePixel() {
     Shown shown;
     shown.view.showActualSize();
