@@ -200,6 +200,8 @@ Result<Solution> MeshSolver::Impl::solveMesh(const AnchorList& anchors, const So
                 "the mesh of " + std::to_string(mesh_->nodeCount()) +
                     " nodes is too large for the memory of this computer; choose a larger cell size");
   }
+  // A solve from nothing depends on nothing that was solved before: rigid meshes have more than one minimum.
+  if (warm_start == nullptr) normal_.forgetFactor();
   solution.seconds.ordering = stopwatch.lap();
 
   MinimiserOptions options;
@@ -246,6 +248,7 @@ Result<Solution> MeshSolver::Impl::solveWithChosenStiffness(const AnchorList& an
                                                             const Similarity2& global_fit, const Solution* warm_start,
                                                             const IterationCallback& on_iteration) {
   if (!scout_) scout_ = std::make_unique<StiffnessScout>(*mesh_);
+  if (warm_start == nullptr) scout_->forget();
   const auto solveWith = [&](Stiffness stiffness) {
     return solveMesh(anchors, withStiffness(settings, stiffness), global_fit, warm_start, on_iteration);
   };

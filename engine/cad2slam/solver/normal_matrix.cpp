@@ -113,6 +113,7 @@ class NormalMatrix::Impl {
   bool factorise(const Objective& objective, const double* x, double damping);
   bool solve(const Eigen::VectorXd& right, Eigen::VectorXd& solution);
   [[nodiscard]] std::vector<Eigen::Matrix4d> inverseForms(const std::vector<SparseColumns>& forms) const;
+  void forgetFactor() { factorised_ = false; }
   [[nodiscard]] bool hasFactor(std::size_t size) const { return factorised_ && matrix_->nrow == size; }
 
  private:
@@ -427,6 +428,9 @@ bool NormalMatrix::analyse(const Objective& objective, const std::vector<NodeInd
 }
 bool NormalMatrix::factorise(const Objective& objective, const double* x, double damping) {
   return impl_->factorise(objective, x, damping);
+}
+void NormalMatrix::forgetFactor() {
+  impl_->forgetFactor();
 }
 bool NormalMatrix::hasFactorFor(const Objective& objective) const {
   return impl_->hasFactor(objective.size());

@@ -30,6 +30,8 @@ class NormalMatrix {
   /// Evaluates at `x` and factorises J^T W J + damping * diag(J^T W J). False where that is not positive definite.
   [[nodiscard]] bool factorise(const Objective& objective, const double* x, double damping);
 
+  /// So that the next solve() is after a factorise().
+  void forgetFactor();
   /// A factor is there and fits the size of `objective`.
   [[nodiscard]] bool hasFactorFor(const Objective& objective) const;
 

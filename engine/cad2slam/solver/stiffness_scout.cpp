@@ -40,6 +40,10 @@ StiffnessScout::StiffnessScout(const Mesh& mesh) : mesh_(coarse(mesh)) {
   while (candidates_.size() < kMeshes.size()) candidates_.push_back({MeshSolver(mesh_), std::nullopt});
 }
 
+void StiffnessScout::forget() {
+  for (Candidate& candidate : candidates_) candidate.last.reset();
+}
+
 Stiffness StiffnessScout::choose(const AnchorList& anchors, const SolverSettings& settings) {
   constexpr std::size_t kFewestAnchors = 9;    // eight judge DEMO and DIAG worse than no choice
   constexpr double kGoodEnoughToJudge = 1e-4;  // of the gradient: residuals are then right to some millimetres

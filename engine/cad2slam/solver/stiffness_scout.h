@@ -21,6 +21,9 @@ class StiffnessScout {
  public:
   explicit StiffnessScout(const Mesh& mesh);
 
+  /// Forgets its fits: the next choice depends on its arguments alone.
+  void forget();
+
   /// One of kLocal (always below nine anchors), kSmooth, kLoose.
   [[nodiscard]] Stiffness choose(const AnchorList& anchors, const SolverSettings& settings);
 

@@ -68,6 +68,8 @@ class MeshSolverTest : public QObject {
   void warmStartEqualsColdStart();
   void twoRunsAreBitIdentical_data() { models(); }
   void twoRunsAreBitIdentical();
+  void coldSolvesKnowNothingOfEarlierOnes_data() { models(); }
+  void coldSolvesKnowNothingOfEarlierOnes();
   void noOtherStartIsBetter_data() { models(); }
   void noOtherStartIsBetter();
   void reportsProgressAndCanBeCancelled_data();
@@ -208,6 +210,21 @@ void MeshSolverTest::twoRunsAreBitIdentical() {
   const Result<Solution> second = MeshSolver(corridor()).solve(anchors, defaultSettings(model));
   QVERIFY(first.has_value() && second.has_value());
   QVERIFY(sameBits(*first, *second));
+}
+
+void MeshSolverTest::coldSolvesKnowNothingOfEarlierOnes() {
+  QFETCH(Model, model);
+  const auto mesh = corridor();
+  AnchorList anchors = testing::anchorsAt(*mesh, 20, 2, bend);
+  MeshSolver used(mesh);
+  for (Anchor& anchor : anchors) {  // one left out after the other, as an evaluation does
+    anchor.enabled = false;
+    const Result<Solution> after_others = used.solve(anchors, defaultSettings(model));
+    const Result<Solution> fresh = MeshSolver(mesh).solve(anchors, defaultSettings(model));
+    anchor.enabled = true;
+    QVERIFY(after_others.has_value() && fresh.has_value());
+    QVERIFY(sameBits(*after_others, *fresh));
+  }
 }
 
 void MeshSolverTest::noOtherStartIsBetter() {
