@@ -4,6 +4,7 @@
 
 #include "cad2slam/io/atomic_file.h"
 #include "cad2slam/io/delimited_text.h"
+#include "cad2slam/io/qgis_points.h"
 #include "cad2slam/io/text.h"
 
 #include <algorithm>
@@ -63,13 +64,6 @@ struct Layout {
   /// Whether a '#' after a blank starts a comment in this field: not where it may be part of a name.
   [[nodiscard]] bool holdsText(std::size_t field) const { return field == position[kName] || field == position[kNote]; }
 };
-
-std::optional<bool> parseSwitch(std::string_view text) {
-  const std::string word = lowerCase(text);
-  if (word.empty() || word == "1" || word == "true" || word == "yes" || word == "on") return true;
-  if (word == "0" || word == "false" || word == "no" || word == "off") return false;
-  return std::nullopt;
-}
 
 /// Text from a spreadsheet that does not write UTF-8: taken as Latin-1, in which every byte is a character.
 std::string utf8From(std::string_view text) {
@@ -170,7 +164,7 @@ Result<AnchorImport> parseAnchorsCsv(std::string_view text, const std::string& f
   if (hasPrefix(text, "\xff\xfe") || hasPrefix(text, "\xfe\xff")) {
     return fail(ErrorCode::kMalformed, "is UTF-16 text; save it as UTF-8", file_name);
   }
-  if (hasPrefix(text, "\xef\xbb\xbf")) text.remove_prefix(3);
+  text = withoutByteOrderMark(text);
 
   const char separator = findSeparator(text);
   Layout layout = Layout::inOrder();
@@ -257,6 +251,13 @@ Result<AnchorImport> readAuthorsAnchors(const std::filesystem::path& path) {
 Result<AnchorImport> readAnchors(const std::filesystem::path& path) {
   const Result<std::string> text = readFile(path, kLargestFile);
   if (!text) return failAs(text);
+  if (looksLikeQgisPoints(*text)) {
+    return fail(
+        ErrorCode::kMalformed,
+        "holds points of QGIS, which are pixels of two images; import it in the app with both of them loaded and "
+        "export the anchors from there",
+        path.string());
+  }
   const bool is_authors = text->find("\"CorrespondenceAnchor\"") != std::string::npos;
   return is_authors ? parseAuthorsAnchors(*text, path.string()) : parseAnchorsCsv(*text, path.string());
 }

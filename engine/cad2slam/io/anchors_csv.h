@@ -41,7 +41,7 @@ struct AnchorImport {
 [[nodiscard]] Result<AnchorImport> parseAuthorsAnchors(std::string_view text, const std::string& file_name);
 [[nodiscard]] Result<AnchorImport> readAuthorsAnchors(const std::filesystem::path& path);
 
-/// Reads any of the above, by content rather than extension.
+/// Reads any of the above, by content rather than extension. Points of QGIS are refused: see qgis_points.h.
 [[nodiscard]] Result<AnchorImport> readAnchors(const std::filesystem::path& path);
 
 }  // namespace cad2slam

@@ -4,6 +4,7 @@
 
 #include "cad2slam/io/atomic_file.h"
 #include "cad2slam/io/delimited_text.h"
+#include "cad2slam/io/text.h"
 
 #include <array>
 #include <charconv>
@@ -15,7 +16,8 @@ namespace {
 
 constexpr std::size_t kMaxBytes = 64U << 20;
 
-std::optional<double> parseNumber(const std::string& text) {
+/// Without the leading + that other texts may have.
+std::optional<double> strictNumber(const std::string& text) {
   double value = 0.0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (error != std::errc{} || end != text.data() + text.size() || !std::isfinite(value)) return {};
@@ -25,8 +27,7 @@ std::optional<double> parseNumber(const std::string& text) {
 }  // namespace
 
 Result<std::vector<StartGoal>> parsePathsCsv(std::string_view text, const std::string& file_name) {
-  if (text.substr(0, 3) == "\xef\xbb\xbf") text.remove_prefix(3);  // byte order mark
-  RecordReader reader(text, ',');
+  RecordReader reader(withoutByteOrderMark(text), ',');
   std::vector<StartGoal> paths;
   bool is_first = true;
   while (const std::optional<TextRecord> record = reader.next()) {
@@ -35,7 +36,7 @@ Result<std::vector<StartGoal>> parsePathsCsv(std::string_view text, const std::s
     std::array<double, 4> numbers{};
     bool complete = record->complaint.empty() && record->fields.size() == numbers.size();
     for (std::size_t i = 0; complete && i < numbers.size(); ++i) {
-      const std::optional<double> number = parseNumber(record->fields[i]);
+      const std::optional<double> number = strictNumber(record->fields[i]);
       complete = number.has_value();
       numbers[i] = number.value_or(0.0);
     }

@@ -57,8 +57,12 @@ tl::expected<ControlPoint, std::string> parsePoint(const TextRecord& record, con
     numbers[column] = *number;
   }
   ControlPoint point{{numbers[kMapX], numbers[kMapY]}, {numbers[kSourceX], numbers[kSourceY]}, true};
-  if (layout[kEnable] && *layout[kEnable] < record.fields.size())
-    point.enabled = record.fields[*layout[kEnable]] != "0";
+  if (layout[kEnable] && *layout[kEnable] < record.fields.size()) {
+    const std::string& field = record.fields[*layout[kEnable]];
+    const std::optional<bool> enabled = parseSwitch(field);
+    if (!enabled) return tl::unexpected("enable is " + excerpt(field) + ", not 1 or 0");
+    point.enabled = *enabled;
+  }
   return point;
 }
 
@@ -100,15 +104,13 @@ double misfitOf(const AnchorList& anchors, const MapFrame& blueprint, const MapF
 }  // namespace
 
 bool looksLikeQgisPoints(std::string_view text) {
-  if (text.substr(0, 3) == "\xef\xbb\xbf") text.remove_prefix(3);
-  const std::optional<TextRecord> header = RecordReader(text.substr(0, 4096), ',').next();
+  const std::optional<TextRecord> header = RecordReader(withoutByteOrderMark(text).substr(0, 4096), ',').next();
   return header && layoutOf(*header);
 }
 
 Result<QgisImport> parseQgisPoints(std::string_view text, const std::string& file_name, const MapFrame& blueprint,
                                    const MapFrame& slam) {
-  if (text.substr(0, 3) == "\xef\xbb\xbf") text.remove_prefix(3);
-  RecordReader reader(text, ',');
+  RecordReader reader(withoutByteOrderMark(text), ',');
   const std::optional<TextRecord> header = reader.next();
   const std::optional<Layout> layout = header ? layoutOf(*header) : std::nullopt;
   if (!layout) {

@@ -31,6 +31,20 @@ inline std::string lowerCase(std::string_view text) {
   return lower;
 }
 
+/// Of UTF-8, as some editors and spreadsheets put it in front.
+inline std::string_view withoutByteOrderMark(std::string_view text) {
+  if (text.substr(0, 3) == "\xef\xbb\xbf") text.remove_prefix(3);
+  return text;
+}
+
+/// On or off as people write it; an empty text is on.
+inline std::optional<bool> parseSwitch(std::string_view text) {
+  const std::string word = lowerCase(text);
+  if (word.empty() || word == "1" || word == "true" || word == "yes" || word == "on") return true;
+  if (word == "0" || word == "false" || word == "no" || word == "off") return false;
+  return std::nullopt;
+}
+
 /// A whole text as a number; empty unless all of it is one finite number.
 inline std::optional<double> parseNumber(std::string_view text) {
   if (!text.empty() && text.front() == '+') {

@@ -193,6 +193,9 @@ class AnchorsCsvTest : public QObject {
   void missingFilesAndFolders() {
     const test::TemporaryFolder folder;
     QVERIFY(readAnchors(folder.path("none.csv")).error().code == ErrorCode::kNotFound);
+    const Result<AnchorImport> qgis =
+        readAnchors(folder.write("a.points", "mapX,mapY,sourceX,sourceY,enable\n1,2,3,-4,1\n"));
+    QVERIFY(!qgis && qgis.error().message.find("QGIS") != std::string::npos);  // not taken for id, x, y, x, y
     QVERIFY(readAnchors(folder.path()).error().code == ErrorCode::kUnreadable);
     QVERIFY(writeAnchorsCsv(folder.path() / "no" / "a.csv", kThree).error().code == ErrorCode::kUnwritable);
   }

@@ -97,11 +97,11 @@ class QgisPointsTest : public QObject {
   void badLinesAreNamed() {
     QString text = QLatin1String(kHeader);
     for (const Vector2d& place : kPlaces) text += line(place, inPicture(slam(), slamFromBlueprint(place)));
-    text += QStringLiteral("1,2,three,4,1\n1,2\n1,2,3,nan,1\n");
+    text += QStringLiteral("1,2,three,4,1\n1,2\n1,2,3,nan,1\n1,5,3,-4,perhaps\n");
     const auto read = parseQgisPoints(text.toStdString(), "plan.points", blueprint(), slam());
     QVERIFY(read);
     QCOMPARE(read->import.anchors.size(), kPlaces.size());
-    QCOMPARE(read->import.rejected.size(), std::size_t{3});
+    QCOMPARE(read->import.rejected.size(), std::size_t{4});
     QCOMPARE(read->import.rejected[0].line, std::size_t{7});
     QCOMPARE(read->import.rejected[2].line, std::size_t{9});
   }
