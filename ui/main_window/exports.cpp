@@ -204,18 +204,8 @@ ProjectorOptions Exports::projectorOptions(const QString& overridden) const {
 }
 
 Result<SolveResultPtr> Exports::solveAfresh() {
-  const SolveResultPtr& shown = session_.alignment().result();
-  if (!shown || !session_.alignment().isCurrent())
+  if (!session_.alignment().isCurrent())
     return fail(ErrorCode::kDegenerate, "There is no up-to-date alignment to export");
-  SolveRequest request;
-  request.revision = shown->revision;
-  request.map = shown->map;
-  request.blueprint = session_.rasters().grid(Side::kBlueprint);
-  request.slam_frame = session_.rasters().frame(Side::kSlam);
-  request.anchors = shown->anchors;
-  request.settings = shown->settings;
-  request.cell_size_m = shown->cell_size_m;
-
   using Outcome = Result<SolveResultPtr>;
   QFutureWatcher<Outcome> watcher;
   QEventLoop until_done;
@@ -223,7 +213,7 @@ Result<SolveResultPtr> Exports::solveAfresh() {
   QProgressDialog progress(tr("Solving the alignment from nothing…"), tr("Cancel"), 0, 0, &window_);
   progress.setWindowModality(Qt::WindowModal);
   connect(&progress, &QProgressDialog::canceled, &watcher, [&watcher] { watcher.cancel(); });
-  watcher.setFuture(QtConcurrent::run([request = std::move(request)](QPromise<Outcome>& promise) {
+  watcher.setFuture(QtConcurrent::run([request = session_.alignment().currentRequest()](QPromise<Outcome>& promise) {
     giveWayToWindow();
     promise.addResult(guarded([&]() -> Outcome {
       return SolveWorker().solveAside(request, [&promise](const IterationReport&) {

@@ -200,8 +200,9 @@ void PreviewWiring::refresh() {
     refreshOverlays();
     return;
   }
-  for (const Anchor& anchor : result ? result->anchors : AnchorList()) {
-    if (anchor.enabled) scene->anchors.push_back(anchor.in_blueprint);
+  if (result) {
+    for (const Anchor& anchor : result->anchors)
+      if (anchor.enabled) scene->anchors.push_back(anchor.in_blueprint);
   }
   scene->base = {session_.rasters().picture(below)->store(), session_.rasters().frame(below)};
   service_.setScene(std::move(scene));

@@ -50,6 +50,9 @@ class Alignment : public QObject {
   [[nodiscard]] AlignmentStatus otherStatus(const std::string& map) const;
   [[nodiscard]] bool areOthersBusy() const;
 
+  /// What a full solve of the current SLAM map is asked.
+  [[nodiscard]] SolveRequest currentRequest() const { return requestFor(*document_.currentMap(), Quality::kFull); }
+
   void solveNow();  ///< again, although nothing changed
   void cancel();    ///< the other SLAM maps as well
   void requestSigma(const QPointF& point_in_blueprint);

@@ -55,8 +55,8 @@ struct PreviewPicture {
   ViewState state;
   QSize size;  ///< logical pixels, margin included
   PreviewKind kind = PreviewKind::kWarped;
-  double full_color =
-      0.0;  ///< value of the strongest colour: a part for kStretch, radians for kRotation, metres for kCoverage
+  /// Value of the strongest colour: a part for kStretch, radians for kRotation, metres for kCoverage.
+  double full_color = 0.0;
   double seconds = 0.0;  ///< to make it
 };
 

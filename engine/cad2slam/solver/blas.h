@@ -17,7 +17,7 @@ void dgemm_(const char* a_transposed, const char* b_transposed, const int* rows,
 
 namespace cad2slam {
 
-/// A row-major block of `kColumns` columns is for BLAS its transposed, column-major.
+// A row-major block of `kColumns` columns is for BLAS its transposed, column-major.
 
 /// rows := lower^-1 rows, where `lower` is column-major with `stride`, and `rows` is n x kColumns, row-major.
 template <int kColumns>
