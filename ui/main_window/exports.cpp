@@ -212,6 +212,7 @@ Result<SolveResultPtr> Exports::solveAfresh() {
   connect(&watcher, &QFutureWatcherBase::finished, &until_done, &QEventLoop::quit);
   QProgressDialog progress(tr("Solving the alignment from nothing…"), tr("Cancel"), 0, 0, &window_);
   progress.setWindowModality(Qt::WindowModal);
+  progress.setMinimumDuration(500);  // [ms]; the usual four seconds look like a program that hangs
   connect(&progress, &QProgressDialog::canceled, &watcher, [&watcher] { watcher.cancel(); });
   watcher.setFuture(QtConcurrent::run([request = session_.alignment().currentRequest()](QPromise<Outcome>& promise) {
     giveWayToWindow();
