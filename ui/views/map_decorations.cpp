@@ -10,11 +10,18 @@
 #include <QPainterPath>
 #include <QPalette>
 
+#include "cad2slam/geometry/angle.h"
+#include "ui/views/sprite_cache.h"
+
 namespace cad2slam::decoration {
 namespace {
 
 const QColor kPanel(255, 255, 255, 225);
 const QColor kInk(25, 28, 32);
+
+double deviceRatio(const QPainter& painter) {
+  return painter.device()->devicePixelRatioF();
+}
 
 void paintPanel(QPainter& painter, const QRectF& box, const QColor& fill) {
   QPainterPath path;
@@ -77,45 +84,50 @@ QRectF compassRect(const QSizeF& view) {
 }
 
 void paintCompass(QPainter& painter, const QSizeF& view, double rotation_rad, bool hovered) {
+  constexpr double kEdge = 1.0;  // of the pen, outside the box
   const QRectF box = compassRect(view);
-  painter.save();
-  painter.setRenderHint(QPainter::Antialiasing);
-  painter.setPen(QPen(hovered ? attentionColor() : QColor(0, 0, 0, 90), hovered ? 2.0 : 1.0));
-  painter.setBrush(kPanel);
-  painter.drawEllipse(box);
-  painter.translate(box.center());
-  painter.rotate(-rotation_rad * 180.0 / 3.14159265358979323846);
-  QPainterPath needle;
-  needle.moveTo(0.0, -14.0);
-  needle.lineTo(5.0, 0.0);
-  needle.lineTo(-5.0, 0.0);
-  needle.closeSubpath();
-  painter.fillPath(needle, QColor(0xc6, 0x28, 0x28));
-  painter.rotate(180.0);
-  painter.fillPath(needle, QColor(0x90, 0x95, 0x9b));
-  painter.restore();
+  const int degrees = static_cast<int>(std::lround(rotation_rad * 180.0 / kPi)) % 360;
+  const QSizeF size = box.size() + 2.0 * QSizeF(kEdge, kEdge);
+  const QPixmap compass = sprite::findOrMake(
+      QStringLiteral("compass%1_%2").arg(degrees).arg(hovered), size, deviceRatio(painter), [&](QPainter& on_sprite) {
+        on_sprite.setPen(QPen(hovered ? attentionColor() : QColor(0, 0, 0, 90), hovered ? 2.0 : 1.0));
+        on_sprite.setBrush(kPanel);
+        on_sprite.drawEllipse(QRectF(QPointF(kEdge, kEdge), box.size()));
+        on_sprite.translate(size.width() / 2.0, size.height() / 2.0);
+        on_sprite.rotate(-degrees);
+        QPainterPath needle;
+        needle.moveTo(0.0, -14.0);
+        needle.lineTo(5.0, 0.0);
+        needle.lineTo(-5.0, 0.0);
+        needle.closeSubpath();
+        on_sprite.fillPath(needle, QColor(0xc6, 0x28, 0x28));
+        on_sprite.rotate(180.0);
+        on_sprite.fillPath(needle, QColor(0x90, 0x95, 0x9b));
+      });
+  painter.drawPixmap(box.topLeft() - QPointF(kEdge, kEdge), compass);
 }
 
-QRectF paintChip(QPainter& painter, const QPointF& top_middle, const QString& text, const QColor& color,
-                 double most_width_px) {
-  painter.save();
-  painter.setRenderHint(QPainter::Antialiasing);
+void paintChip(QPainter& painter, const QPointF& top_middle, const QString& text, const QColor& color,
+               double most_width_px) {
   QFont font = painter.font();
   font.setBold(true);
-  painter.setFont(font);
   const QFontMetricsF metrics(font);
   const QRectF text_rect = metrics.boundingRect(QRectF(0, 0, std::max(60.0, most_width_px - 24.0), 1000.0),
                                                 Qt::AlignCenter | Qt::TextWordWrap, text);
-  const QSizeF size(text_rect.width() + 24.0, text_rect.height() + 12.0);
-  const QRectF box(QPointF(top_middle.x() - size.width() / 2.0, top_middle.y()), size);
-  QPainterPath path;
-  path.addRoundedRect(box, 9.0, 9.0);
-  painter.fillPath(path, color);
-  painter.strokePath(path, QPen(QColor(255, 255, 255, 200), 1.5));
-  painter.setPen(Qt::white);
-  painter.drawText(box.adjusted(12.0, 6.0, -12.0, -6.0), Qt::AlignCenter | Qt::TextWordWrap, text);
-  painter.restore();
-  return box;
+  const QRectF box(1.0, 1.0, text_rect.width() + 24.0, text_rect.height() + 12.0);  // a pixel is for the pen
+  const QString key = QStringLiteral("chip%1_%2_%3_%4")
+                          .arg(color.name(QColor::HexArgb), font.key(), QString::number(box.width()), text);
+  const QPixmap chip =
+      sprite::findOrMake(key, box.size() + QSizeF(2.0, 2.0), deviceRatio(painter), [&](QPainter& on_sprite) {
+        QPainterPath path;
+        path.addRoundedRect(box, 9.0, 9.0);
+        on_sprite.fillPath(path, color);
+        on_sprite.strokePath(path, QPen(QColor(255, 255, 255, 200), 1.5));
+        on_sprite.setFont(font);
+        on_sprite.setPen(Qt::white);
+        on_sprite.drawText(box.adjusted(12.0, 6.0, -12.0, -6.0), Qt::AlignCenter | Qt::TextWordWrap, text);
+      });
+  painter.drawPixmap(top_middle - QPointF(box.center().x(), 1.0), chip);
 }
 
 void paintAttentionFrame(QPainter& painter, const QSizeF& view, const QColor& color) {

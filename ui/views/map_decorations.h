@@ -27,9 +27,9 @@ void paintScaleBar(QPainter& painter, const QSizeF& view, double m_per_px);
 [[nodiscard]] QRectF compassRect(const QSizeF& view);
 void paintCompass(QPainter& painter, const QSizeF& view, double rotation_rad, bool hovered);
 
-/// A rounded box with a text; wrapped to a width. Returns the box.
-QRectF paintChip(QPainter& painter, const QPointF& top_middle, const QString& text, const QColor& color,
-                 double most_width_px);
+/// A rounded box with a text; wrapped to a width.
+void paintChip(QPainter& painter, const QPointF& top_middle, const QString& text, const QColor& color,
+               double most_width_px);
 void paintAttentionFrame(QPainter& painter, const QSizeF& view, const QColor& color);
 void paintCrosshair(QPainter& painter, const QSizeF& view, const QPointF& at);
 void paintEmpty(QPainter& painter, const QSizeF& view, const QString& text, const QPalette& palette, bool drop_hover);

@@ -340,6 +340,11 @@ void MapView::resizeEvent(QResizeEvent* event) {
   emit viewStateChanged();
 }
 
+void MapView::hideEvent(QHideEvent* event) {
+  QWidget::hideEvent(event);
+  paint_turn_.forgetPixels();
+}
+
 QSize MapView::sizeHint() const {
   return {520, 420};
 }

@@ -16,6 +16,7 @@
 #include "ui/views/marker.h"
 #include "ui/views/marker_painter.h"
 #include "ui/views/mesh_layer.h"
+#include "ui/views/paint_turn.h"
 #include "ui/views/raster_layer.h"
 #include "ui/views/raster_source.h"
 #include "ui/views/view_state.h"
@@ -143,6 +144,7 @@ class MapView : public QWidget {
 
   void paintEvent(QPaintEvent* event) override;
   void resizeEvent(QResizeEvent* event) override;
+  void hideEvent(QHideEvent* event) override;
   void mousePressEvent(QMouseEvent* event) override;
   void mouseMoveEvent(QMouseEvent* event) override;
   void mouseReleaseEvent(QMouseEvent* event) override;
@@ -201,6 +203,7 @@ class MapView : public QWidget {
   RasterLayer loupe_raster_;
   MeshLayer mesh_;
   MarkerPainter marker_painter_;
+  PaintTurn paint_turn_{*this};
   std::optional<MapFrame> frame_;
   QMetaObject::Connection image_connection_;
   QString empty_text_;

@@ -67,6 +67,7 @@ void MapView::paintOverlays(QPainter& painter, const QTransform& widget_from_met
 
 void MapView::paintEvent(QPaintEvent*) {
   QPainter painter(this);
+  if (!paint_turn_.take(painter)) return;
   const QSizeF view = size();
   const bool has_image = raster_.source() != nullptr && frame_.has_value();
   if (!has_image) {

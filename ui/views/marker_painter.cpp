@@ -4,10 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
+#include <vector>
 
 #include <QFontMetricsF>
 #include <QPainterPath>
-#include <QPixmapCache>
+
+#include "ui/views/sprite_cache.h"
 
 namespace cad2slam {
 namespace {
@@ -85,30 +88,8 @@ void paintMarkerShape(QPainter& painter, const Marker& marker, bool enlarged) {
   }
 }
 
-QPixmap emptyTextSprite(const QString& text, const QFont& font, double ratio) {
-  const QFontMetricsF metrics(font);
-  double width = 0.0;
-  for (const QChar letter : text) width += metrics.horizontalAdvance(letter);
-  const QSizeF size(std::max(width, metrics.horizontalAdvance(text)) + 2.0 * kTextEdge_px,
-                    metrics.height() + 2.0 * kTextEdge_px);
-  QPixmap sprite((size * ratio).toSize());
-  sprite.setDevicePixelRatio(ratio);
-  sprite.fill(Qt::transparent);
-  return sprite;
-}
-
-QString keyOf(double ratio) {
-  return QString::number(qRound(ratio * 100));
-}
-
-/// From the cache, or drawn by `draw` and put there.
-template <class Draw>
-QPixmap spriteOf(const QString& key, const Draw& draw) {
-  QPixmap sprite;
-  if (QPixmapCache::find(key, &sprite)) return sprite;
-  sprite = draw();
-  QPixmapCache::insert(key, sprite);
-  return sprite;
+QSizeF textSize(double width, const QFontMetricsF& metrics) {
+  return {width + 2.0 * kTextEdge_px, metrics.height() + 2.0 * kTextEdge_px};
 }
 
 }  // namespace
@@ -131,63 +112,51 @@ QColor colorOf(MarkerClass judged) {
 }
 
 QPixmap MarkerPainter::markerSprite(const Marker& marker, bool enlarged, double ratio) {
-  const QString key = QStringLiteral("cad2slam_m%1%2%3%4_")
+  const QString key = QStringLiteral("marker%1%2%3%4")
                           .arg(static_cast<int>(marker.judged))
                           .arg(marker.selected)
                           .arg(marker.snapped)
-                          .arg(enlarged) +
-                      keyOf(ratio);
-  return spriteOf(key, [&] {
-    const int side = static_cast<int>(std::ceil(2.0 * kSpriteHalf_px * ratio));
-    QPixmap sprite(side, side);
-    sprite.setDevicePixelRatio(ratio);
-    sprite.fill(Qt::transparent);
-    QPainter painter(&sprite);
-    painter.setRenderHint(QPainter::Antialiasing);
+                          .arg(enlarged);
+  return sprite::findOrMake(key, QSizeF(2.0 * kSpriteHalf_px, 2.0 * kSpriteHalf_px), ratio, [&](QPainter& painter) {
     painter.translate(kSpriteHalf_px, kSpriteHalf_px);
     paintMarkerShape(painter, marker, enlarged);
-    return sprite;
   });
 }
 
 QPixmap MarkerPainter::letterSprite(const QString& letter, TextPart part, const QColor& color, double ratio) const {
   const QString look = part == TextPart::kInk ? color.name() : QString::number(static_cast<int>(part));
-  const QString key = QStringLiteral("cad2slam_l%1_%2_").arg(look, keyOf(ratio)) + bold_key_ + letter;
-  return spriteOf(key, [&] {
-    QPixmap sprite = emptyTextSprite(letter, bold_, ratio);
-    QPainter painter(&sprite);
-    painter.setRenderHint(QPainter::Antialiasing);
+  const QString key = QStringLiteral("letter%1_").arg(look) + bold_key_ + letter;
+  const QFontMetricsF metrics(bold_);
+  return sprite::findOrMake(key, textSize(metrics.horizontalAdvance(letter), metrics), ratio, [&](QPainter& painter) {
     QPainterPath path;
-    path.addText(QPointF(kTextEdge_px, kTextEdge_px + QFontMetricsF(bold_).ascent()), bold_, letter);
+    path.addText(QPointF(kTextEdge_px, kTextEdge_px + metrics.ascent()), bold_, letter);
     if (part == TextPart::kInk) {
       painter.fillPath(path, color);
     } else {
       const bool dark = part == TextPart::kDarkEdge;
       painter.strokePath(path, solidPen(dark ? kDarkEdge : QColor(Qt::white), dark ? 4.2 : 3.2));
     }
-    return sprite;
   });
 }
 
 QPixmap MarkerPainter::textSprite(const QString& text, const QColor& color, double ratio) const {
-  const QString key = QStringLiteral("cad2slam_t%1_%2_").arg(color.name(), keyOf(ratio)) + bold_key_ + text;
-  return spriteOf(key, [&] {
-    // Outlines are slow to draw: hundreds of numbers are put together from the ten digits. Scripts that join their
-    // letters are drawn as one.
-    const bool joined = std::any_of(text.begin(), text.end(), [](QChar letter) { return letter.unicode() >= 0x250; });
-    const qsizetype step = joined ? text.size() : 1;
-    const QFontMetricsF metrics(bold_);
-    QPixmap sprite = emptyTextSprite(text, bold_, ratio);
-    QPainter painter(&sprite);
-    for (const TextPart part : {TextPart::kDarkEdge, TextPart::kLightEdge, TextPart::kInk}) {
-      double x = 0.0;
-      for (qsizetype i = 0; i < text.size(); i += step) {
-        const QString piece = text.mid(i, step);
+  const QString key = QStringLiteral("text%1_").arg(color.name()) + bold_key_ + text;
+  if (const auto known = sprite::find(key, ratio)) return *known;
+  // Outlines are slow to draw: hundreds of numbers are put together from the ten digits. Scripts that join their
+  // letters are drawn as one.
+  const bool joined = std::any_of(text.begin(), text.end(), [](QChar letter) { return letter.unicode() >= 0x250; });
+  const qsizetype step = joined ? text.size() : 1;
+  const QFontMetricsF metrics(bold_);
+  std::vector<std::pair<double, QString>> pieces;  // and where they begin
+  double width = 0.0;
+  for (qsizetype i = 0; i < text.size(); i += step) {
+    pieces.emplace_back(width, text.mid(i, step));
+    width += metrics.horizontalAdvance(pieces.back().second);
+  }
+  return sprite::make(key, textSize(width, metrics), ratio, [&](QPainter& painter) {
+    for (const TextPart part : {TextPart::kDarkEdge, TextPart::kLightEdge, TextPart::kInk})
+      for (const auto& [x, piece] : pieces)
         painter.drawPixmap(QPointF(x, 0.0), letterSprite(piece, part, color, ratio));
-        x += metrics.horizontalAdvance(piece);
-      }
-    }
-    return sprite;
   });
 }
 
@@ -201,14 +170,14 @@ void MarkerPainter::useFont(const QFont& font) {
 void MarkerPainter::paintText(QPainter& painter, const QPointF& at, const QString& text, const QColor& color) {
   if (text.isEmpty()) return;
   useFont(painter.font());
-  const QPixmap sprite = textSprite(text, color.darker(145), painter.device()->devicePixelRatioF());
-  painter.drawPixmap(at - QPointF(kTextEdge_px, sprite.height() / sprite.devicePixelRatio() / 2.0), sprite);
+  const QPixmap words = textSprite(text, color.darker(145), painter.device()->devicePixelRatioF());
+  painter.drawPixmap(at - QPointF(kTextEdge_px, words.height() / words.devicePixelRatio() / 2.0), words);
 }
 
 void MarkerPainter::paintMarker(QPainter& painter, const Marker& marker, const QPointF& at, bool enlarged,
                                 bool with_text) {
-  const QPixmap sprite = markerSprite(marker, enlarged, painter.device()->devicePixelRatioF());
-  painter.drawPixmap(at - QPointF(kSpriteHalf_px, kSpriteHalf_px), sprite);
+  const QPixmap shape = markerSprite(marker, enlarged, painter.device()->devicePixelRatioF());
+  painter.drawPixmap(at - QPointF(kSpriteHalf_px, kSpriteHalf_px), shape);
   if (!with_text) return;
   const double reach = (enlarged ? 13.0 : 10.0) + (marker.selected ? 5.0 : 0.0);
   paintText(painter, at + QPointF(reach, -reach + 2.0), marker.text, colorOf(marker.judged));

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include <QFontMetricsF>
 #include <QKeyEvent>
 #include <QLocale>
 #include <QMouseEvent>
@@ -22,6 +21,9 @@ constexpr double kBarReach_px = 8.0;
 constexpr double kLensRadius_px = 95.0;
 constexpr double kFaint = 0.35;
 constexpr double kHeatOpacity = 0.65;
+// More rows are drawn by Qt's threads, for which the window would wait while a solve keeps all processors busy.
+constexpr double kBandRows_px = 64.0;
+constexpr double kGivesWay = 0.12;  // of the legend, to what lies under it
 const QColor kBanner(0xb2, 0x5d, 0x00);
 
 bool isHeat(PreviewMode mode) {
@@ -133,16 +135,20 @@ void PreviewView::paintPicture(QPainter& painter, double opacity) {
   const QTransform now = viewState().widgetFromMetres(size());
   const QTransform then = picture_.state.widgetFromMetres(picture_.size);
   const double ratio = static_cast<double>(picture_.image.width()) / std::max(1, picture_.size.width());
-  painter.save();
-  painter.setOpacity(opacity);
   const QTransform moved = then.inverted() * now;
   // A picture of lower resolution stands in until the sharp one is there: smooth it.
   const bool exact = moved.type() <= QTransform::TxTranslate && ratio >= devicePixelRatioF() * 0.99;
-  painter.setRenderHint(QPainter::SmoothPixmapTransform, !exact);
-  painter.setTransform(moved, true);
-  painter.scale(1.0 / ratio, 1.0 / ratio);
-  painter.drawImage(QPointF(0, 0), picture_.image);
-  painter.restore();
+  const double band = exact ? height() : kBandRows_px / devicePixelRatioF();
+  for (double y = 0.0; y < height(); y += band) {
+    painter.save();
+    painter.setClipRect(QRectF(0.0, y, width(), band), Qt::IntersectClip);
+    painter.setOpacity(opacity);
+    painter.setRenderHint(QPainter::SmoothPixmapTransform, !exact);
+    painter.setTransform(moved, true);
+    painter.scale(1.0 / ratio, 1.0 / ratio);
+    painter.drawImage(QPointF(0, 0), picture_.image);
+    painter.restore();
+  }
 }
 
 void PreviewView::paintBase(QPainter& painter) {
@@ -169,9 +175,9 @@ void PreviewView::paintBase(QPainter& painter) {
       break;
     }
     case PreviewMode::kLens:
-      if (lens_) {
+      if (pointer_) {
         QPainterPath lens;
-        lens.addEllipse(*lens_, kLensRadius_px, kLensRadius_px);
+        lens.addEllipse(*pointer_, kLensRadius_px, kLensRadius_px);
         painter.save();
         painter.setClipPath(lens);
         painter.fillPath(lens, Qt::white);
@@ -212,14 +218,14 @@ void PreviewView::paintOnTop(QPainter& painter) {
     }
     painter.restore();
   }
-  if (mode_ == PreviewMode::kLens && lens_) {
+  if (mode_ == PreviewMode::kLens && pointer_) {
     painter.save();
     painter.setRenderHint(QPainter::Antialiasing);
     painter.setBrush(Qt::NoBrush);
     painter.setPen(QPen(Qt::white, 5.0));
-    painter.drawEllipse(*lens_, kLensRadius_px, kLensRadius_px);
+    painter.drawEllipse(*pointer_, kLensRadius_px, kLensRadius_px);
     painter.setPen(QPen(decoration::attentionColor(), 2.5));
-    painter.drawEllipse(*lens_, kLensRadius_px, kLensRadius_px);
+    painter.drawEllipse(*pointer_, kLensRadius_px, kLensRadius_px);
     painter.restore();
   }
   if (!reason_.isEmpty()) {
@@ -279,8 +285,8 @@ QString PreviewView::legendHint() const {
   }
 }
 
-std::vector<PreviewView::LegendRow> PreviewView::legendRows() const {
-  std::vector<LegendRow> rows;
+std::vector<PreviewLegend::Row> PreviewView::legendRows() const {
+  std::vector<PreviewLegend::Row> rows;
   const auto nameOf = [this](std::size_t i) { return i < inks_.size() ? inks_[i].name : QString(); };
   switch (mode_) {
     case PreviewMode::kTwoInk:
@@ -319,84 +325,32 @@ std::vector<PreviewView::LegendRow> PreviewView::legendRows() const {
   return rows;
 }
 
-void PreviewView::paintLegend(QPainter& painter) {
-  const QString title = legendTitle();
-  const QString hint = legendHint();
-  const std::vector<LegendRow> rows = legendRows();
-  const bool ramp = isHeat(mode_) || mode_ == PreviewMode::kMesh;
-  painter.save();
-  painter.setRenderHint(QPainter::Antialiasing);
-  QFont bold = painter.font();
-  bold.setBold(true);
-  const QFontMetricsF metrics(painter.font());
-  const QFontMetricsF bold_metrics(bold);
-  const double line = metrics.height() + 3.0;
-  constexpr double kSwatch = 18.0;
-  double text_width = std::max(bold_metrics.horizontalAdvance(title), metrics.horizontalAdvance(hint));
-  for (const LegendRow& row : rows) {
-    text_width = std::max(text_width, metrics.horizontalAdvance(row.text) + (row.color.isValid() ? kSwatch : 0.0));
-  }
-  if (ramp) text_width = std::max(text_width, 170.0);
-  const double box_width = std::min(text_width + 18.0, width() - 16.0);
-  const double box_height =
-      line * (1.0 + static_cast<double>(rows.size()) + (hint.isEmpty() ? 0.0 : 1.0) + (ramp ? 2.0 : 0.0)) + 10.0;
-  const QRectF box(width() - box_width - 8.0, height() - box_height - 8.0, box_width, box_height);
-  QPainterPath panel;
-  panel.addRoundedRect(box, 5.0, 5.0);
-  painter.fillPath(panel, QColor(255, 255, 255, 228));
-  painter.strokePath(panel, QPen(QColor(0, 0, 0, 70), 1.0));
+std::optional<PreviewLegend::Ramp> PreviewView::legendRamp() const {
+  if (!isHeat(mode_) && mode_ != PreviewMode::kMesh) return std::nullopt;
+  const bool one_sided = mode_ == PreviewMode::kCoverage;
+  const bool turn = mode_ == PreviewMode::kRotation;
+  const double in_unit = one_sided ? 1.0 : turn ? 180.0 / kPi : 100.0;
+  const double full = (mode_ == PreviewMode::kMesh ? full_color_strain_ : picture_.full_color) * in_unit;
+  const QString unit = one_sided ? tr(" m", "metres") : turn ? tr("\u00b0", "degrees") : tr(" %", "per cent");
+  const QString number = QLocale().toString(full, 'g', 2) + unit;
+  const QString zero = QStringLiteral("0");
+  if (one_sided) return PreviewLegend::Ramp{true, zero, {}, number};
+  return PreviewLegend::Ramp{false, QStringLiteral("\u2212") + number, zero, QStringLiteral("+") + number};
+}
 
-  const QColor ink(25, 28, 32);
-  double y = box.top() + 5.0;
-  const auto writeLine = [&](double indent, const QString& text, const QFont& font, const QColor& color) {
-    painter.setFont(font);
-    painter.setPen(color);
-    const QRectF place(box.left() + 9.0 + indent, y, box.width() - 18.0 - indent, line);
-    const QString shown = QFontMetricsF(font).elidedText(text, Qt::ElideRight, place.width() + 1.0);
-    painter.drawText(place, Qt::AlignLeft | Qt::AlignVCenter, shown);
-  };
-  const QFont plain = painter.font();
-  writeLine(0.0, title, bold, ink);
-  y += line;
-  if (ramp) {
-    const QRectF bar(box.left() + 9.0, y + 2.0, box.width() - 18.0, line - 5.0);
-    QLinearGradient gradient(bar.topLeft(), bar.topRight());
-    const bool one_sided = mode_ == PreviewMode::kCoverage;
-    for (int i = 0; i <= 10; ++i) {
-      gradient.setColorAt(i / 10.0, strainColor(one_sided ? i / 10.0 : i / 5.0 - 1.0, 1.0));
-    }
-    painter.fillRect(bar, gradient);
-    y += line;
-    const QLocale locale;
-    const bool turn = mode_ == PreviewMode::kRotation;
-    const double in_unit = one_sided ? 1.0 : turn ? 180.0 / kPi : 100.0;
-    const double full = (mode_ == PreviewMode::kMesh ? full_color_strain_ : picture_.full_color) * in_unit;
-    const QString unit = one_sided ? tr(" m", "metres") : turn ? tr("\u00b0", "degrees") : tr(" %", "per cent");
-    const QString number = locale.toString(full, 'g', 2) + unit;
-    painter.setFont(plain);
-    painter.setPen(ink);
-    const QRectF labels(bar.left(), y, bar.width(), line);
-    const QString zero = QStringLiteral("0");
-    painter.drawText(labels, Qt::AlignLeft | Qt::AlignVCenter, one_sided ? zero : QStringLiteral("\u2212") + number);
-    if (!one_sided) painter.drawText(labels, Qt::AlignHCenter | Qt::AlignVCenter, zero);
-    painter.drawText(labels, Qt::AlignRight | Qt::AlignVCenter, (one_sided ? QString() : QStringLiteral("+")) + number);
-    y += line;
-  }
-  for (const LegendRow& row : rows) {
-    double indent = 0.0;
-    if (row.color.isValid()) {
-      const QRectF swatch(box.left() + 9.0, y + 3.0, 12.0, line - 7.0);
-      painter.fillRect(swatch, row.color);
-      painter.setPen(QPen(QColor(0, 0, 0, 120), 1.0));
-      painter.setBrush(Qt::NoBrush);
-      painter.drawRect(swatch);
-      indent = kSwatch;
-    }
-    writeLine(indent, row.text, plain, ink);
-    y += line;
-  }
-  if (!hint.isEmpty()) writeLine(0.0, hint, plain, QColor(90, 96, 104));
+void PreviewView::paintLegend(QPainter& painter) {
+  const PreviewLegend legend{legendTitle(), legendRamp(), legendRows(), legendHint()};
+  const QPixmap picture = legend.picture(painter.font(), width() - 16.0, painter.device()->devicePixelRatioF());
+  const QSizeF shown = picture.deviceIndependentSize();
+  legend_rect_ = QRectF(QPointF(width() - shown.width() - 8.0, height() - shown.height() - 8.0), shown);
+  painter.save();
+  if (isAtLegend()) painter.setOpacity(kGivesWay);
+  painter.drawPixmap(legend_rect_.topLeft(), picture);
   painter.restore();
+}
+
+bool PreviewView::isAtLegend() const {
+  return pointer_ && legend_rect_.contains(*pointer_);
 }
 
 bool PreviewView::isNearBar(const QPointF& at) const {
@@ -416,8 +370,9 @@ void PreviewView::mouseMoveEvent(QMouseEvent* event) {
     setSwipe(event->position().x() / std::max(1, width()));
     return;
   }
-  lens_ = event->position();
-  if (mode_ == PreviewMode::kLens) update();
+  const bool was_at_legend = isAtLegend();
+  pointer_ = event->position();
+  if (mode_ == PreviewMode::kLens || isAtLegend() != was_at_legend) update();
   MapView::mouseMoveEvent(event);
   if (event->buttons() == Qt::NoButton && isNearBar(event->position())) setCursor(Qt::SplitHCursor);
 }
@@ -431,7 +386,8 @@ void PreviewView::mouseReleaseEvent(QMouseEvent* event) {
 }
 
 void PreviewView::leaveEvent(QEvent* event) {
-  lens_.reset();
+  pointer_.reset();
+  update();
   MapView::leaveEvent(event);
 }
 

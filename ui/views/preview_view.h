@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "ui/views/map_view.h"
+#include "ui/views/preview_legend.h"
 #include "ui/views/preview_types.h"
 
 namespace cad2slam {
@@ -60,16 +61,14 @@ class PreviewView : public MapView {
   void leaveEvent(QEvent* event) override;
 
  private:
-  struct LegendRow {
-    QColor color;
-    QString text;
-  };
   [[nodiscard]] bool isCovered() const;
   void paintPicture(QPainter& painter, double opacity);
   void paintLegend(QPainter& painter);
-  [[nodiscard]] std::vector<LegendRow> legendRows() const;
+  [[nodiscard]] std::vector<PreviewLegend::Row> legendRows() const;
   [[nodiscard]] QString legendTitle() const;
   [[nodiscard]] QString legendHint() const;
+  [[nodiscard]] std::optional<PreviewLegend::Ramp> legendRamp() const;
+  [[nodiscard]] bool isAtLegend() const;
   [[nodiscard]] bool isNearBar(const QPointF& at) const;
 
   PreviewMode mode_ = PreviewMode::kOverlay;
@@ -79,7 +78,8 @@ class PreviewView : public MapView {
   bool blink_held_ = false;
   bool blink_shows_other_ = false;
   QTimer blink_timer_;
-  std::optional<QPointF> lens_;
+  std::optional<QPointF> pointer_;  // where the lens is
+  QRectF legend_rect_;              // gives way to the pointer, so that what lies under it can be seen
   PreviewPicture picture_;
   std::vector<InkEntry> inks_;
   double full_color_strain_ = 0.05;

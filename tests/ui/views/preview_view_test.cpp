@@ -78,6 +78,21 @@ class PreviewViewTest : public QObject {
     QCOMPARE(pictures.size(), std::size_t(kPreviewModeCount));
   }
 
+  void theLegendGivesWayToThePointer() {
+    Shown shown;
+    shown.view.setOpacity(1.0);
+    const QPoint at(shown.view.width() - 12, shown.view.height() - 12);
+    const auto paper = [&] { return std::abs(shown.colorAt(at).green() - 255); };  // the picture's green is 120
+    QTest::mouseMove(&shown.view, QPoint(50, 50));
+    const int covered = paper();
+    QTest::mouseMove(&shown.view, at);
+    const int seen = paper();
+    QVERIFY(covered < 40);
+    QVERIFY(seen > 80);
+    QTest::mouseMove(&shown.view, QPoint(50, 50));
+    QCOMPARE(paper(), covered);
+  }
+
   void blinkAndHideWhileBIsHeld() {
     Shown shown;
     shown.view.setMode(PreviewMode::kBlink);
