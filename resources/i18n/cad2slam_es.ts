@@ -1325,6 +1325,38 @@
         <source>%1 m</source>
         <translation>%1 m</translation>
     </message>
+    <message numerus="yes">
+        <source>%n anchor(s) lie beside the blueprint: %1</source>
+        <translation>
+            <numerusform>1 ancla está fuera del plano: %1</numerusform>
+            <numerusform>%n anclas están fuera del plano: %1</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n anchor(s) lie beside the SLAM map: %1</source>
+        <translation>
+            <numerusform>1 ancla está fuera del mapa SLAM: %1</numerusform>
+            <numerusform>%n anclas están fuera del mapa SLAM: %1</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Disable</source>
+        <translation>Desactivar</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n anchor(s) lie where the blueprint shows neither floor nor wall: %1</source>
+        <translation>
+            <numerusform>1 ancla está donde el plano no muestra ni suelo ni pared: %1</numerusform>
+            <numerusform>%n anclas están donde el plano no muestra ni suelo ni pared: %1</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n anchor(s) lie where the SLAM map shows neither floor nor wall: %1</source>
+        <translation>
+            <numerusform>1 ancla está donde el mapa SLAM no muestra ni suelo ni pared: %1</numerusform>
+            <numerusform>%n anclas están donde el mapa SLAM no muestra ni suelo ni pared: %1</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>cad2slam::ExportDialog</name>

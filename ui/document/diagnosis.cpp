@@ -54,11 +54,19 @@ class Diagnosis {
   }
 
   std::vector<Finding> run() {
+    findOutside();
+    compare();
+    findUnknownGround();
+    return std::move(findings_);
+  }
+
+ private:
+  void compare() {
     findDuplicates();
     if (used_.size() == 2) compareTwo();
-    if (used_.size() < 3) return std::move(findings_);
+    if (used_.size() < 3) return;
     const Result<Similarity2> robust = fitSimilarityRobust(pairs_, std::nullopt);
-    if (!robust) return std::move(findings_);
+    if (!robust) return;
     const bool mirrored = findMirrored();
     const bool swapped = !mirrored && findSwapped(*robust);
     if (!mirrored && !swapped) findOutlier();
@@ -67,10 +75,22 @@ class Diagnosis {
     findLine();
     findRooms();
     if (!mirrored && !swapped) findSimilarity();
-    return std::move(findings_);
   }
 
- private:
+  void findOutside() { findGround(Ground::kOutsideImage, Kind::kOutsideImage); }
+  void findUnknownGround() { findGround(Ground::kUnknown, Kind::kUnknownGround); }
+
+  void findGround(Ground ground, Kind kind) {
+    for (const Side side : {Side::kBlueprint, Side::kSlam}) {
+      const std::vector<Ground>& found = side == Side::kBlueprint ? input_.ground_in_blueprint : input_.ground_in_slam;
+      Finding finding{kind, {}, 0.0, 0.0, {}, side};
+      for (std::size_t i = 0; i < std::min(found.size(), input_.anchors.size()); ++i)
+        if (input_.anchors[i].enabled && found[i] == ground) finding.anchors.push_back(input_.anchors[i].id);
+      finding.value = static_cast<double>(finding.anchors.size());
+      if (!finding.anchors.empty()) add(std::move(finding));
+    }
+  }
+
   void findDuplicates() {
     const double same_blueprint = 2.0 * input_.blueprint_m_per_px;
     const double same_slam = 2.0 * input_.slam_m_per_px;

@@ -28,16 +28,25 @@ struct Finding {
     kOneRoom,           ///< all anchors in one room
     kEmptyRooms,        ///< rooms without anchor; value: how many, place: in the largest
     kSimilarityEnough,  ///< bending gains nothing; value: median error without bending [m]
+    kOutsideImage,      ///< these anchors lie beside the image of a side
+    kUnknownGround,     ///< these anchors lie where the map of a side shows neither floor nor wall
   };
   Kind kind = Kind::kOutlier;
   std::vector<AnchorId> anchors;
   double value = 0.0;
   double other = 0.0;
   std::optional<Eigen::Vector2d> place;  ///< [m] blueprint frame
+  Side side = Side::kBlueprint;          ///< of kOutsideImage and kUnknownGround
 };
+
+/// What a map shows around a place.
+enum class Ground { kKnown, kUnknown, kOutsideImage };
 
 struct DiagnosisInput {
   AnchorList anchors;
+  /// Under each anchor, in their order; empty where nobody has looked.
+  std::vector<Ground> ground_in_blueprint;
+  std::vector<Ground> ground_in_slam;
   ClassLimits limits;
   double slam_m_per_px = 0.05;
   double blueprint_m_per_px = 0.05;

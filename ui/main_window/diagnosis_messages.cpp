@@ -16,9 +16,24 @@ namespace cad2slam {
 
 using Kind = Finding::Kind;
 
+namespace {
+
+/// The first few; the rest are only hinted at.
+QString namesOf(const std::vector<AnchorId>& anchors) {
+  constexpr std::size_t kMost = 6;
+  QStringList names;
+  for (std::size_t i = 0; i < std::min(anchors.size(), kMost); ++i) names << QString::number(anchors[i]);
+  if (anchors.size() > kMost) names << QStringLiteral("...");
+  return names.join(QStringLiteral(", "));
+}
+
+}  // namespace
+
 struct DiagnosisMessages::Request {
   std::uint64_t revision = 0;
   DiagnosisInput input;
+  std::shared_ptr<GroundProbe> in_blueprint;  // only this worker uses them; null while a picture is being read
+  std::shared_ptr<GroundProbe> in_slam;
   SolveResultPtr result;  // keeps alive what the input points to
   std::shared_ptr<const OccupancyGrid> blueprint;
   std::shared_ptr<const OccupancyGrid> rooms_of;
@@ -44,6 +59,10 @@ DiagnosisMessages::DiagnosisMessages(Session& session, ViewPair& views, MessageB
         }
         DiagnosisInput input = request.input;
         input.rooms = answer.rooms.get();
+        for (const Anchor& anchor : input.anchors) {
+          if (request.in_blueprint) input.ground_in_blueprint.push_back(request.in_blueprint->at(anchor.in_blueprint));
+          if (request.in_slam) input.ground_in_slam.push_back(request.in_slam->at(anchor.in_slam));
+        }
         answer.findings = diagnose(input);
         return answer;
       },
@@ -52,6 +71,26 @@ DiagnosisMessages::DiagnosisMessages(Session& session, ViewPair& views, MessageB
 }
 
 DiagnosisMessages::~DiagnosisMessages() = default;
+
+std::shared_ptr<GroundProbe> DiagnosisMessages::probeOf(Side side) {
+  const std::shared_ptr<TilePyramid>& picture = session_.rasters().picture(side);
+  const std::optional<MapFrame>& frame = session_.rasters().frame(side);
+  if (!picture || !frame) return nullptr;
+  if (picture->state() != TilePyramid::State::kReady) {
+    connect(picture.get(), &TilePyramid::ready, this, &DiagnosisMessages::ask, Qt::UniqueConnection);
+    return nullptr;
+  }
+  std::shared_ptr<GroundProbe>& probe = side == Side::kBlueprint ? in_blueprint_ : in_slam_;
+  if (!probe || !probe->isOf(picture->store(), *frame)) {
+    const ProjectDocument& document = session_.document();
+    const ProjectSlamMap* map = document.currentMap();
+    if (side == Side::kSlam && !map) return nullptr;
+    probe = std::make_shared<GroundProbe>(
+        picture->store(), *frame,
+        side == Side::kBlueprint ? document.project().blueprint.metadata : map->raster.metadata);
+  }
+  return probe;
+}
 
 void DiagnosisMessages::ask() {
   ProjectDocument& document = session_.document();
@@ -79,6 +118,8 @@ void DiagnosisMessages::ask() {
     request.input.projector = &request.result->projector;
     request.input.nodes = &request.result->mesh->centers();
   }
+  request.in_blueprint = probeOf(Side::kBlueprint);
+  request.in_slam = probeOf(Side::kSlam);
   request.blueprint = session_.rasters().grid(Side::kBlueprint);
   request.rooms_of = rooms_of_;
   request.rooms = rooms_;
@@ -116,9 +157,11 @@ Message DiagnosisMessages::messageOf(const Finding& finding) {
   Message message;
   message.severity = Severity::kWarning;
   message.id = QStringLiteral("diagnosis-%1").arg(static_cast<int>(finding.kind));
+  if (finding.side == Side::kSlam) message.id += QStringLiteral("-slam");
   for (const AnchorId id : finding.anchors) message.id += QStringLiteral("-%1").arg(id);
   const AnchorId first = finding.anchors.empty() ? 0 : finding.anchors.front();
   const AnchorId second = finding.anchors.empty() ? 0 : finding.anchors.back();
+  const int count = static_cast<int>(finding.anchors.size());
   const auto disable = [&](AnchorId id) {
     return Cure{tr("Disable %1").arg(id), [&document, id] { edit::setEnabled(document, {id}, false); }};
   };
@@ -201,6 +244,21 @@ Message DiagnosisMessages::messageOf(const Finding& finding) {
     case Kind::kEmptyRooms:
       message.severity = Severity::kNote;
       message.text = tr("%1 of %2 rooms have no anchor yet").arg(finding.value).arg(finding.other);
+      message.cures = {showCure(finding)};
+      break;
+    case Kind::kOutsideImage:
+      message.text = (finding.side == Side::kBlueprint ? tr("%n anchor(s) lie beside the blueprint: %1", nullptr, count)
+                                                       : tr("%n anchor(s) lie beside the SLAM map: %1", nullptr, count))
+                         .arg(namesOf(finding.anchors));
+      message.cures = {showCure(finding),
+                       {tr("Disable"), [&document, ids = finding.anchors] { edit::setEnabled(document, ids, false); }}};
+      break;
+    case Kind::kUnknownGround:
+      message.severity = Severity::kNote;
+      message.text = (finding.side == Side::kBlueprint
+                          ? tr("%n anchor(s) lie where the blueprint shows neither floor nor wall: %1", nullptr, count)
+                          : tr("%n anchor(s) lie where the SLAM map shows neither floor nor wall: %1", nullptr, count))
+                         .arg(namesOf(finding.anchors));
       message.cures = {showCure(finding)};
       break;
     case Kind::kSimilarityEnough:

@@ -5,6 +5,7 @@
 #include "ui/document/diagnosis.h"
 #include "ui/main_window/session.h"
 #include "ui/panels/message_bar.h"
+#include "ui/services/ground_probe.h"
 #include "ui/views/latest_job.h"
 
 #include <QObject>
@@ -36,6 +37,7 @@ class DiagnosisMessages : public QObject {
 
   void ask();
   void take(const Answer& answer);
+  [[nodiscard]] std::shared_ptr<GroundProbe> probeOf(Side side);
   [[nodiscard]] Message messageOf(const Finding& finding);
   [[nodiscard]] Cure showCure(const Finding& finding);
   [[nodiscard]] Cure rescaleCure(double factor);
@@ -46,6 +48,8 @@ class DiagnosisMessages : public QObject {
   std::vector<Finding> findings_;
   std::shared_ptr<const OccupancyGrid> rooms_of_;
   std::shared_ptr<const RoomMap> rooms_;
+  std::shared_ptr<GroundProbe> in_blueprint_;
+  std::shared_ptr<GroundProbe> in_slam_;
   std::unique_ptr<LatestJob<Request, Answer>> job_;
 };
 

@@ -62,6 +62,22 @@ class DiagnosisTest : public QObject {
     QVERIFY2(findings.empty(), findings.empty() ? "" : qPrintable(QString::number(int(findings[0].kind))));
   }
 
+  void anchorsWithoutGroundAreNamed() {
+    DiagnosisInput input = inputOf(building(8, kTurned));
+    input.anchors[5].enabled = false;
+    input.ground_in_blueprint.assign(8, Ground::kKnown);
+    input.ground_in_slam.assign(8, Ground::kKnown);
+    QVERIFY(diagnose(input).empty());
+    input.ground_in_slam[2] = input.ground_in_slam[5] = input.ground_in_slam[7] = Ground::kUnknown;
+    input.ground_in_blueprint[4] = Ground::kOutsideImage;
+    const auto findings = diagnose(input);
+    QCOMPARE(findings.size(), std::size_t(2));
+    QVERIFY(findings[0].kind == Kind::kOutsideImage && findings[0].side == Side::kBlueprint);
+    QVERIFY(findings[0].anchors == std::vector<AnchorId>{5});
+    QVERIFY(findings[1].kind == Kind::kUnknownGround && findings[1].side == Side::kSlam);
+    QVERIFY((findings[1].anchors == std::vector<AnchorId>{3, 8}));  // 6 is disabled
+  }
+
   void scenario12_scale_data() {
     QTest::addColumn<double>("scale");
     for (const double scale : {0.5, 0.97, 1.03, 1.37, 2.0}) QTest::addRow("%g", scale) << scale;

@@ -87,6 +87,27 @@ class CheckingTest : public QObject {
     QTRY_VERIFY_WITH_TIMEOUT(!office.finding(Kind::kDuplicate), test::kPatience);
   }
 
+  void anchorsWhereAMapShowsNothingAreNoted() {
+    OfficeWindow office;
+    office.addExact(6);
+    const auto putInto = [&](const Eigen::Vector2d& slam_pixel) {
+      edit::moveAnchor(office.document(), 2, Side::kSlam,
+                       office.session().rasters().frame(Side::kSlam)->metricFromPixel(slam_pixel),
+                       office.document().newGesture());
+    };
+    putInto({6.0, 6.0});
+    QVERIFY(office.waitForFinding(Kind::kUnknownGround));
+    QCOMPARE(office.finding(Kind::kUnknownGround)->anchors, std::vector<AnchorId>{2});  // and none of the good ones
+    QVERIFY(office.finding(Kind::kUnknownGround)->side == Side::kSlam);
+    putInto({-6.0, 6.0});
+    QVERIFY(office.waitForFinding(Kind::kOutsideImage));
+    QCOMPARE(office.finding(Kind::kOutsideImage)->anchors, std::vector<AnchorId>{2});
+    QVERIFY(!office.finding(Kind::kUnknownGround));
+    QVERIFY(office.pressCure(QStringLiteral("diagnosis-"), QStringLiteral("Disable")));
+    QVERIFY(!office.document().anchor(2)->enabled);
+    QTRY_VERIFY_WITH_TIMEOUT(!office.finding(Kind::kOutsideImage), test::kPatience);
+  }
+
   void scenario11_collinearAnchorsAndOneRoom() {
     OfficeWindow office;
     const Eigen::Vector2d b = office.pairs[0].in_blueprint;
