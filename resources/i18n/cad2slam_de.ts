@@ -1328,14 +1328,14 @@
     <message numerus="yes">
         <source>%n anchor(s) lie beside the blueprint: %1</source>
         <translation>
-            <numerusform>1 Anker liegt neben dem Bauplan: %1</numerusform>
+            <numerusform>%n Anker liegt neben dem Bauplan: %1</numerusform>
             <numerusform>%n Anker liegen neben dem Bauplan: %1</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>%n anchor(s) lie beside the SLAM map: %1</source>
         <translation>
-            <numerusform>1 Anker liegt neben der SLAM-Karte: %1</numerusform>
+            <numerusform>%n Anker liegt neben der SLAM-Karte: %1</numerusform>
             <numerusform>%n Anker liegen neben der SLAM-Karte: %1</numerusform>
         </translation>
     </message>
@@ -1346,14 +1346,14 @@
     <message numerus="yes">
         <source>%n anchor(s) lie where the blueprint shows neither floor nor wall: %1</source>
         <translation>
-            <numerusform>1 Anker liegt, wo der Bauplan weder Boden noch Wand zeigt: %1</numerusform>
+            <numerusform>%n Anker liegt, wo der Bauplan weder Boden noch Wand zeigt: %1</numerusform>
             <numerusform>%n Anker liegen, wo der Bauplan weder Boden noch Wand zeigt: %1</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>%n anchor(s) lie where the SLAM map shows neither floor nor wall: %1</source>
         <translation>
-            <numerusform>1 Anker liegt, wo die SLAM-Karte weder Boden noch Wand zeigt: %1</numerusform>
+            <numerusform>%n Anker liegt, wo die SLAM-Karte weder Boden noch Wand zeigt: %1</numerusform>
             <numerusform>%n Anker liegen, wo die SLAM-Karte weder Boden noch Wand zeigt: %1</numerusform>
         </translation>
     </message>

@@ -16,28 +16,28 @@
     <message numerus="yes">
         <source>%n anchor(s) lie beside the blueprint: %1</source>
         <translation>
-            <numerusform>1 anchor lies beside the blueprint: %1</numerusform>
+            <numerusform>%n anchor lies beside the blueprint: %1</numerusform>
             <numerusform>%n anchors lie beside the blueprint: %1</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>%n anchor(s) lie beside the SLAM map: %1</source>
         <translation>
-            <numerusform>1 anchor lies beside the SLAM map: %1</numerusform>
+            <numerusform>%n anchor lies beside the SLAM map: %1</numerusform>
             <numerusform>%n anchors lie beside the SLAM map: %1</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>%n anchor(s) lie where the blueprint shows neither floor nor wall: %1</source>
         <translation>
-            <numerusform>1 anchor lies where the blueprint shows neither floor nor wall: %1</numerusform>
+            <numerusform>%n anchor lies where the blueprint shows neither floor nor wall: %1</numerusform>
             <numerusform>%n anchors lie where the blueprint shows neither floor nor wall: %1</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>%n anchor(s) lie where the SLAM map shows neither floor nor wall: %1</source>
         <translation>
-            <numerusform>1 anchor lies where the SLAM map shows neither floor nor wall: %1</numerusform>
+            <numerusform>%n anchor lies where the SLAM map shows neither floor nor wall: %1</numerusform>
             <numerusform>%n anchors lie where the SLAM map shows neither floor nor wall: %1</numerusform>
         </translation>
     </message>

@@ -1328,14 +1328,14 @@
     <message numerus="yes">
         <source>%n anchor(s) lie beside the blueprint: %1</source>
         <translation>
-            <numerusform>1 ancla está fuera del plano: %1</numerusform>
+            <numerusform>%n ancla está fuera del plano: %1</numerusform>
             <numerusform>%n anclas están fuera del plano: %1</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>%n anchor(s) lie beside the SLAM map: %1</source>
         <translation>
-            <numerusform>1 ancla está fuera del mapa SLAM: %1</numerusform>
+            <numerusform>%n ancla está fuera del mapa SLAM: %1</numerusform>
             <numerusform>%n anclas están fuera del mapa SLAM: %1</numerusform>
         </translation>
     </message>
@@ -1346,14 +1346,14 @@
     <message numerus="yes">
         <source>%n anchor(s) lie where the blueprint shows neither floor nor wall: %1</source>
         <translation>
-            <numerusform>1 ancla está donde el plano no muestra ni suelo ni pared: %1</numerusform>
+            <numerusform>%n ancla está donde el plano no muestra ni suelo ni pared: %1</numerusform>
             <numerusform>%n anclas están donde el plano no muestra ni suelo ni pared: %1</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>%n anchor(s) lie where the SLAM map shows neither floor nor wall: %1</source>
         <translation>
-            <numerusform>1 ancla está donde el mapa SLAM no muestra ni suelo ni pared: %1</numerusform>
+            <numerusform>%n ancla está donde el mapa SLAM no muestra ni suelo ni pared: %1</numerusform>
             <numerusform>%n anclas están donde el mapa SLAM no muestra ni suelo ni pared: %1</numerusform>
         </translation>
     </message>

@@ -420,12 +420,17 @@ void MainWindow::goToNextPart() {
 void MainWindow::storeViewState() {
   QJsonObject views = session_.document().viewState();
   for (const Side side : {Side::kBlueprint, Side::kSlam}) {
+    const QString key = side == Side::kBlueprint ? QStringLiteral("blueprint") : QStringLiteral("slam");
     const ViewState state = view(side).viewState();
-    views.insert(side == Side::kBlueprint ? QStringLiteral("blueprint") : QStringLiteral("slam"),
-                 QJsonObject{{QStringLiteral("x_m"), state.center_m.x()},
-                             {QStringLiteral("y_m"), state.center_m.y()},
-                             {QStringLiteral("m_per_px"), state.m_per_px},
-                             {QStringLiteral("rotation_rad"), state.rotation_rad}});
+    if (!view(side).frame()) continue;  // its image is not there yet: what was stored stays
+    if (view(side).isFitted()) {
+      views.remove(key);  // the whole map, whatever the size of the window then
+      continue;
+    }
+    views.insert(key, QJsonObject{{QStringLiteral("x_m"), state.center_m.x()},
+                                  {QStringLiteral("y_m"), state.center_m.y()},
+                                  {QStringLiteral("m_per_px"), state.m_per_px},
+                                  {QStringLiteral("rotation_rad"), state.rotation_rad}});
   }
   session_.document().setViewState(views);
 }

@@ -181,7 +181,7 @@ ViewState MapView::viewState() const {
 
 void MapView::setViewState(const ViewState& state) {
   stopAnimation();
-  fit_pending_ = false;
+  fitted_ = false;
   changeState(state);
 }
 
@@ -233,7 +233,7 @@ QPointF MapView::imagePixelFromMetres(const QPointF& point_m) const {
 
 void MapView::fit() {
   if (!frame_) return;
-  fit_pending_ = true;
+  fitted_ = true;
   // The raster's own corners, not the box around them, so that a turned raster fills the view as well.
   stopAnimation();
   const QPointF center = toQPointF(frame_->metricFromPixel({frame_->width() / 2.0, frame_->height() / 2.0}));
@@ -250,7 +250,7 @@ void MapView::fit() {
 
 void MapView::fitRect(const QRectF& area_m, double margin) {
   stopAnimation();
-  fit_pending_ = false;
+  fitted_ = false;
   const double c = std::abs(std::cos(state_.rotation_rad));
   const double s = std::abs(std::sin(state_.rotation_rad));
   const QRectF area = area_m.normalized();
@@ -264,7 +264,7 @@ void MapView::fitRect(const QRectF& area_m, double margin) {
 void MapView::showActualSize() {
   if (!frame_) return;
   stopAnimation();
-  fit_pending_ = false;
+  fitted_ = false;
   changeState({state_.center_m, frame_->resolution() * devicePixelRatioF(), state_.rotation_rad});
 }
 
@@ -275,7 +275,7 @@ void MapView::zoomBy(double factor) {
 void MapView::zoomAt(const QPointF& widget_px, double factor) {
   if (!(factor > 0.0) || !std::isfinite(factor)) return;
   stopAnimation();
-  fit_pending_ = false;
+  fitted_ = false;
   const QPointF kept = metresFromWidget(widget_px);
   ViewState next = state_;
   next.m_per_px = clampedResolution(state_.m_per_px / factor);
@@ -290,7 +290,7 @@ void MapView::setRotation(double rotation_rad) {
 
 void MapView::rotateAt(const QPointF& widget_px, double angle_rad) {
   stopAnimation();
-  fit_pending_ = false;
+  fitted_ = false;
   const QPointF kept = metresFromWidget(widget_px);
   const QPointF arm = state_.center_m - kept;
   const double c = std::cos(-angle_rad);
@@ -301,7 +301,7 @@ void MapView::rotateAt(const QPointF& widget_px, double angle_rad) {
 
 void MapView::centerOn(const QPointF& point_m, bool animated) {
   stopAnimation();
-  fit_pending_ = false;
+  fitted_ = false;
   if (!animated || !isVisible()) {
     changeState({point_m, state_.m_per_px, state_.rotation_rad});
     return;
@@ -324,7 +324,7 @@ void MapView::resizeEvent(QResizeEvent* event) {
   const QPoint origin = mapTo(window(), QPoint());
   const QSize change = size() - event->oldSize();
   const bool aimed_at = !locked_ && qobject_cast<const MapView*>(QApplication::widgetAt(QCursor::pos())) != nullptr;
-  const bool by_message = isVisible() && (aimed_at || !fit_pending_) && window()->size() == window_size_ &&
+  const bool by_message = isVisible() && (aimed_at || !fitted_) && window()->size() == window_size_ &&
                           event->oldSize().isValid() &&
                           std::max(std::abs(change.width()), std::abs(change.height())) <= kMessages_px;
   if (by_message) {
@@ -336,7 +336,7 @@ void MapView::resizeEvent(QResizeEvent* event) {
   origin_in_window_ = origin;
   window_size_ = window()->size();
   updateTransform();
-  if (fit_pending_ && !by_message) fit();  // nobody has moved the view since: keep the whole raster in it
+  if (fitted_ && !by_message) fit();  // nobody has moved the view since: keep the whole raster in it
   emit viewStateChanged();
 }
 

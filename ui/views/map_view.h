@@ -79,7 +79,8 @@ class MapView : public QWidget {
   // --- what part is shown ------------------------------------------------------------------------------------------
   [[nodiscard]] ViewState viewState() const;
   void setViewState(const ViewState& state);
-  void fit();  ///< the whole raster
+  void fit();                                              ///< the whole raster
+  [[nodiscard]] bool isFitted() const { return fitted_; }  ///< and the view was not moved since
   void fitRect(const QRectF& area_m, double margin = 0.1);
   void showActualSize();       ///< one image pixel for each device pixel
   void zoomBy(double factor);  ///< at the centre; > 1 enlarges
@@ -171,6 +172,13 @@ class MapView : public QWidget {
     kTurnView,
     kSpent,  ///< cancelled with Esc; waits for the release
   };
+  /// Logical pixels.
+  struct SeenMarker {
+    const Marker* marker;
+    QPointF at;
+    MarkerSize size;
+    bool in_front;  // of all others, and never without its text
+  };
   struct Hit {
     MarkerId id = kNoMarker;
     QPointF point_m;
@@ -179,6 +187,8 @@ class MapView : public QWidget {
   };
 
   void paintOverlays(QPainter& painter, const QTransform& widget_from_metres, double px_per_m);
+  [[nodiscard]] std::vector<SeenMarker> seenMarkers(const QTransform& widget_from_metres) const;
+  void paintMarkers(QPainter& painter, const QTransform& widget_from_metres);
   void paintLoupe(QPainter& painter);
   void updateTransform();
   void changeState(const ViewState& state);
@@ -226,7 +236,7 @@ class MapView : public QWidget {
   ViewState state_;
   QTransform widget_from_metres_;
   QTransform metres_from_widget_;
-  bool fit_pending_ = false;
+  bool fitted_ = false;      // and not moved since
   QPoint origin_in_window_;  // as of the last resize
   QSize window_size_;
   double scale_bar_unit_m_ = 1.0;

@@ -210,7 +210,7 @@ void MapView::mouseMoveEvent(QMouseEvent* event) {
       break;
     case Gesture::kPan: {
       const QPointF way = metresFromWidget(QPointF(0, 0)) - metresFromWidget(step);
-      fit_pending_ = false;
+      fitted_ = false;
       changeState({state_.center_m + way, state_.m_per_px, state_.rotation_rad});
       break;
     }
@@ -305,7 +305,7 @@ void MapView::wheelEvent(QWheelEvent* event) {
     // Two fingers push the map; pinching, or Ctrl, zooms.
     const QPointF way = metresFromWidget(QPointF(0, 0)) - metresFromWidget(QPointF(event->pixelDelta()));
     stopAnimation();
-    fit_pending_ = false;
+    fitted_ = false;
     changeState({state_.center_m + way, state_.m_per_px, state_.rotation_rad});
   } else {
     const double notches = (angle.y() != 0 ? angle.y() : angle.x()) / 120.0;
@@ -358,7 +358,7 @@ bool MapView::nudge(int key, Qt::KeyboardModifiers modifiers) {
   if (selectedMarker() == nullptr) {
     const QPointF way = metresFromWidget(direction * kPanByKey_px) - origin_m;
     stopAnimation();
-    fit_pending_ = false;
+    fitted_ = false;
     changeState({state_.center_m + way, state_.m_per_px, state_.rotation_rad});
     return true;
   }

@@ -2,11 +2,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <utility>
+#include <vector>
 
 #include <QLocale>
 #include <QPaintEvent>
 #include <QPainterPath>
 
+#include "ui/views/label_layout.h"
 #include "ui/views/map_decorations.h"
 #include "ui/views/map_view.h"
 
@@ -15,6 +19,34 @@ namespace {
 
 constexpr double kLoupeRadius_px = 78.0;
 constexpr double kLoupeZoom = 4.0;
+
+/// Whether a good part of the places are so close to another one that markers of normal size would hide each other.
+bool isCrowd(std::vector<QPointF> by_x) {
+  constexpr double kTooClose_px = 14.0;
+  std::sort(by_x.begin(), by_x.end(), [](const QPointF& a, const QPointF& b) { return a.x() < b.x(); });
+  std::vector<bool> hidden(by_x.size(), false);
+  for (std::size_t i = 0; i < by_x.size(); ++i)
+    for (std::size_t j = i + 1; j < by_x.size() && by_x[j].x() - by_x[i].x() < kTooClose_px; ++j)
+      if (std::abs(by_x[j].y() - by_x[i].y()) < kTooClose_px) hidden[i] = hidden[j] = true;
+  return 2 * std::count(hidden.begin(), hidden.end(), true) > static_cast<std::ptrdiff_t>(by_x.size());
+}
+
+int urgencyOf(MarkerClass judged) {
+  switch (judged) {
+    case MarkerClass::kDisabled:
+      return 0;
+    case MarkerClass::kPlain:
+    case MarkerClass::kOk:
+      return 1;
+    case MarkerClass::kLook:
+      return 2;
+    case MarkerClass::kBad:
+      return 3;
+    case MarkerClass::kPending:
+      break;
+  }
+  return 4;
+}
 
 }  // namespace
 
@@ -45,23 +77,46 @@ void MapView::paintOverlays(QPainter& painter, const QTransform& widget_from_met
     marker_painter_.paintPose(painter, pose, widget_from_metres.map(pose.point_m), on_screen, pose.radius_m * px_per_m,
                               enlarged);
   }
-  if (markers_visible_) {
-    const QRectF seen = QRectF(rect()).adjusted(-80, -40, 40, 40);
-    const auto paint = [&](const Marker& marker) {
-      const QPointF at = widget_from_metres.map(marker.point_m);
-      if (!seen.contains(at)) return;
-      const bool enlarged = marker.id == hovered_ || marker.id == highlighted_;
-      marker_painter_.paintMarker(painter, marker, at, enlarged, marker_text_visible_);
-    };
-    for (const Marker& marker : markers_) {
-      if (!marker.selected) paint(marker);
-    }
-    for (const Marker& marker : markers_) {
-      if (marker.selected) paint(marker);
-    }
-  }
+  if (markers_visible_) paintMarkers(painter, widget_from_metres);
   if (mirrored_cursor_m_) {
     marker_painter_.paintMirroredCursor(painter, widget_from_metres.map(*mirrored_cursor_m_), mirrored_certain_);
+  }
+}
+
+std::vector<MapView::SeenMarker> MapView::seenMarkers(const QTransform& widget_from_metres) const {
+  std::vector<SeenMarker> seen;
+  std::vector<QPointF> places;
+  const QRectF view = QRectF(rect()).adjusted(-80, -40, 80, 40);
+  for (const Marker& marker : markers_) {
+    const QPointF at = widget_from_metres.map(marker.point_m);
+    if (!view.contains(at)) continue;
+    const bool enlarged = marker.id == hovered_ || marker.id == highlighted_;
+    seen.push_back({&marker, at, enlarged ? MarkerSize::kEnlarged : MarkerSize::kNormal, enlarged || marker.selected});
+    places.push_back(at);
+  }
+  if (isCrowd(std::move(places))) {
+    for (SeenMarker& each : seen)
+      if (!each.in_front) each.size = MarkerSize::kSmall;
+  }
+  // Where they cover each other, what needs a look is in front.
+  const auto weight = [](const SeenMarker& each) { return std::pair(each.in_front, urgencyOf(each.marker->judged)); };
+  std::stable_sort(seen.begin(), seen.end(),
+                   [&](const SeenMarker& a, const SeenMarker& b) { return weight(a) < weight(b); });
+  return seen;
+}
+
+void MapView::paintMarkers(QPainter& painter, const QTransform& widget_from_metres) {
+  const std::vector<SeenMarker> seen = seenMarkers(widget_from_metres);
+  for (const SeenMarker& each : seen) marker_painter_.paintMarker(painter, *each.marker, each.at, each.size);
+  if (!marker_text_visible_) return;
+  LabelLayout layout(size());
+  for (const SeenMarker& each : seen) layout.occupy(MarkerPainter::coreOf(each.at, each.size));
+  for (auto each = seen.rbegin(); each != seen.rend(); ++each) {
+    const QSizeF text = marker_painter_.textSize(painter, *each->marker);
+    const double reach = MarkerPainter::labelReach(*each->marker, each->size);
+    std::optional<QRectF> area = layout.place(each->at, reach, text);
+    if (!area && each->in_front) area = layout.placeAnyway(each->at, reach, text);
+    if (area) marker_painter_.paintLabel(painter, *each->marker, *area);
   }
 }
 
@@ -123,7 +178,8 @@ void MapView::paintLoupe(QPainter& painter) {
     for (const Marker& marker : markers_) {
       const QPointF place = enlarged.map(widgetFromMetres(marker.point_m));
       if (QRectF(-20, -20, side + 40, side + 40).contains(place)) {
-        marker_painter_.paintMarker(painter, marker, place, false, marker_text_visible_);
+        marker_painter_.paintMarker(painter, marker, place, MarkerSize::kNormal);
+        if (marker_text_visible_) marker_painter_.paintLabel(painter, marker, place);
       }
     }
   }

@@ -57,8 +57,12 @@ QPen solidPen(const QColor& color, double width) {
   return QPen(color, width, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin);
 }
 
-void paintMarkerShape(QPainter& painter, const Marker& marker, bool enlarged) {
-  const double size = (marker.judged == MarkerClass::kPending ? 2.0 : 0.0) + (enlarged ? 10.0 : 7.5);
+double radiusOf(MarkerSize size) {
+  return size == MarkerSize::kSmall ? 4.0 : size == MarkerSize::kNormal ? 7.5 : 10.0;
+}
+
+void paintMarkerShape(QPainter& painter, const Marker& marker, MarkerSize wanted) {
+  const double size = (marker.judged == MarkerClass::kPending ? 2.0 : 0.0) + radiusOf(wanted);
   const QColor color = colorOf(marker.judged);
   const QPainterPath shape = shapeOf(marker.judged, size);
   const bool hollow = marker.judged == MarkerClass::kPending || marker.judged == MarkerClass::kDisabled;
@@ -71,7 +75,9 @@ void paintMarkerShape(QPainter& painter, const Marker& marker, bool enlarged) {
     pen.setCapStyle(Qt::FlatCap);
     pen.setDashPattern({2.2, 1.6});
   }
+  if (wanted == MarkerSize::kSmall) pen.setWidthF(0.7 * pen.widthF());
   strokeEdged(painter, shape, pen);
+  if (wanted == MarkerSize::kSmall) return;  // no room for details
   QPainterPath dot;
   dot.addEllipse(QPointF(0, 0), 1.3, 1.3);
   painter.strokePath(dot, QPen(kLightEdge, 2.4));
@@ -88,7 +94,7 @@ void paintMarkerShape(QPainter& painter, const Marker& marker, bool enlarged) {
   }
 }
 
-QSizeF textSize(double width, const QFontMetricsF& metrics) {
+QSizeF spriteSize(double width, const QFontMetricsF& metrics) {
   return {width + 2.0 * kTextEdge_px, metrics.height() + 2.0 * kTextEdge_px};
 }
 
@@ -111,15 +117,15 @@ QColor colorOf(MarkerClass judged) {
   return QColor(0x1e, 0x66, 0xd0);
 }
 
-QPixmap MarkerPainter::markerSprite(const Marker& marker, bool enlarged, double ratio) {
+QPixmap MarkerPainter::markerSprite(const Marker& marker, MarkerSize size, double ratio) {
   const QString key = QStringLiteral("marker%1%2%3%4")
                           .arg(static_cast<int>(marker.judged))
                           .arg(marker.selected)
                           .arg(marker.snapped)
-                          .arg(enlarged);
+                          .arg(static_cast<int>(size));
   return sprite::findOrMake(key, QSizeF(2.0 * kSpriteHalf_px, 2.0 * kSpriteHalf_px), ratio, [&](QPainter& painter) {
     painter.translate(kSpriteHalf_px, kSpriteHalf_px);
-    paintMarkerShape(painter, marker, enlarged);
+    paintMarkerShape(painter, marker, size);
   });
 }
 
@@ -127,7 +133,7 @@ QPixmap MarkerPainter::letterSprite(const QString& letter, TextPart part, const 
   const QString look = part == TextPart::kInk ? color.name() : QString::number(static_cast<int>(part));
   const QString key = QStringLiteral("letter%1_").arg(look) + bold_key_ + letter;
   const QFontMetricsF metrics(bold_);
-  return sprite::findOrMake(key, textSize(metrics.horizontalAdvance(letter), metrics), ratio, [&](QPainter& painter) {
+  return sprite::findOrMake(key, spriteSize(metrics.horizontalAdvance(letter), metrics), ratio, [&](QPainter& painter) {
     QPainterPath path;
     path.addText(QPointF(kTextEdge_px, kTextEdge_px + metrics.ascent()), bold_, letter);
     if (part == TextPart::kInk) {
@@ -153,7 +159,7 @@ QPixmap MarkerPainter::textSprite(const QString& text, const QColor& color, doub
     pieces.emplace_back(width, text.mid(i, step));
     width += metrics.horizontalAdvance(pieces.back().second);
   }
-  return sprite::make(key, textSize(width, metrics), ratio, [&](QPainter& painter) {
+  return sprite::make(key, spriteSize(width, metrics), ratio, [&](QPainter& painter) {
     for (const TextPart part : {TextPart::kDarkEdge, TextPart::kLightEdge, TextPart::kInk})
       for (const auto& [x, piece] : pieces)
         painter.drawPixmap(QPointF(x, 0.0), letterSprite(piece, part, color, ratio));
@@ -167,20 +173,44 @@ void MarkerPainter::useFont(const QFont& font) {
   bold_key_ = bold_.key();
 }
 
-void MarkerPainter::paintText(QPainter& painter, const QPointF& at, const QString& text, const QColor& color) {
-  if (text.isEmpty()) return;
+QPixmap MarkerPainter::words(const QPainter& painter, const QString& text, const QColor& color) {
   useFont(painter.font());
-  const QPixmap words = textSprite(text, color.darker(145), painter.device()->devicePixelRatioF());
-  painter.drawPixmap(at - QPointF(kTextEdge_px, words.height() / words.devicePixelRatio() / 2.0), words);
+  return textSprite(text, color.darker(145), painter.device()->devicePixelRatioF());
 }
 
-void MarkerPainter::paintMarker(QPainter& painter, const Marker& marker, const QPointF& at, bool enlarged,
-                                bool with_text) {
-  const QPixmap shape = markerSprite(marker, enlarged, painter.device()->devicePixelRatioF());
-  painter.drawPixmap(at - QPointF(kSpriteHalf_px, kSpriteHalf_px), shape);
-  if (!with_text) return;
-  const double reach = (enlarged ? 13.0 : 10.0) + (marker.selected ? 5.0 : 0.0);
-  paintText(painter, at + QPointF(reach, -reach + 2.0), marker.text, colorOf(marker.judged));
+void MarkerPainter::paintText(QPainter& painter, const QPointF& at, const QString& text, const QColor& color) {
+  if (text.isEmpty()) return;
+  const QPixmap sprite = words(painter, text, color);
+  painter.drawPixmap(at - QPointF(kTextEdge_px, sprite.deviceIndependentSize().height() / 2.0), sprite);
+}
+
+void MarkerPainter::paintMarker(QPainter& painter, const Marker& marker, const QPointF& at, MarkerSize size) {
+  painter.drawPixmap(at - QPointF(kSpriteHalf_px, kSpriteHalf_px),
+                     markerSprite(marker, size, painter.device()->devicePixelRatioF()));
+}
+
+QRectF MarkerPainter::coreOf(const QPointF& at, MarkerSize size) {
+  const double half = 0.95 * radiusOf(size);
+  return QRectF(at - QPointF(half, half), QSizeF(2.0 * half, 2.0 * half));
+}
+
+double MarkerPainter::labelReach(const Marker& marker, MarkerSize size) {
+  return radiusOf(size) + 3.5 + (marker.selected ? 5.0 : 0.0);
+}
+
+QSizeF MarkerPainter::textSize(const QPainter& painter, const Marker& marker) {
+  if (marker.text.isEmpty()) return {0.0, 0.0};
+  return words(painter, marker.text, colorOf(marker.judged)).deviceIndependentSize() -
+         2.0 * QSizeF(kTextEdge_px, kTextEdge_px);
+}
+
+void MarkerPainter::paintLabel(QPainter& painter, const Marker& marker, const QRectF& area) {
+  paintText(painter, QPointF(area.left(), area.center().y()), marker.text, colorOf(marker.judged));
+}
+
+void MarkerPainter::paintLabel(QPainter& painter, const Marker& marker, const QPointF& at) {
+  const double reach = labelReach(marker, MarkerSize::kNormal);
+  paintText(painter, at + QPointF(reach, 2.0 - reach), marker.text, colorOf(marker.judged));
 }
 
 void MarkerPainter::paintGhost(QPainter& painter, const QPointF& at, double radius_px, const QString& text) {

@@ -13,12 +13,25 @@ namespace cad2slam {
 /// Colour of a class; the shape differs as well.
 [[nodiscard]] QColor colorOf(MarkerClass judged);
 
+/// Small where markers crowd, enlarged under the cursor.
+enum class MarkerSize { kSmall, kNormal, kEnlarged };
+
 /// Draws what lies on a map at places given in logical pixels of a view. Everything has a white and a dark edge, so
 /// that it can be read on any raster. Markers and texts are kept as sprites in QPixmapCache, for all views together:
 /// hundreds cost little.
 class MarkerPainter {
  public:
-  void paintMarker(QPainter& painter, const Marker& marker, const QPointF& at, bool enlarged, bool with_text);
+  /// The shape alone.
+  void paintMarker(QPainter& painter, const Marker& marker, const QPointF& at, MarkerSize size);
+  /// The text of a marker, in an area of textSize() that somebody has found for it.
+  void paintLabel(QPainter& painter, const Marker& marker, const QRectF& area);
+  /// The same to the upper right of a marker of normal size.
+  void paintLabel(QPainter& painter, const Marker& marker, const QPointF& at);
+  [[nodiscard]] QSizeF textSize(const QPainter& painter, const Marker& marker);
+  /// What no text may cover.
+  [[nodiscard]] static QRectF coreOf(const QPointF& at, MarkerSize size);
+  /// How far from the middle of a marker its text begins, in x and y.
+  [[nodiscard]] static double labelReach(const Marker& marker, MarkerSize size);
   void paintGhost(QPainter& painter, const QPointF& at, double radius_px, const QString& text);
   void paintResidual(QPainter& painter, const QPointF& from, const QPointF& to, MarkerClass judged);
   void paintPose(QPainter& painter, const PoseGlyph& pose, const QPointF& at, double heading_on_screen_rad,
@@ -36,9 +49,10 @@ class MarkerPainter {
 
  private:
   enum class TextPart { kDarkEdge, kLightEdge, kInk };
-  [[nodiscard]] static QPixmap markerSprite(const Marker& marker, bool enlarged, double ratio);
+  [[nodiscard]] static QPixmap markerSprite(const Marker& marker, MarkerSize size, double ratio);
   [[nodiscard]] QPixmap letterSprite(const QString& letter, TextPart part, const QColor& color, double ratio) const;
   [[nodiscard]] QPixmap textSprite(const QString& text, const QColor& color, double ratio) const;
+  [[nodiscard]] QPixmap words(const QPainter& painter, const QString& text, const QColor& color);
   void useFont(const QFont& font);
 
   QFont font_;        // of the painter, as last seen

@@ -103,6 +103,44 @@ class FilesTest : public QObject {
     QVERIFY(again.waitUntilSolved());
   }
 
+  void viewsAreWhereTheyWereAndFittedOnesFitAnyWindow() {
+    const QString path = sandbox_->path(QStringLiteral("site.c2sproj"));
+    ViewState moved;
+    {
+      OfficeWindow office;
+      office.window.view(Side::kSlam).zoomBy(3.0);
+      office.window.view(Side::kSlam).setRotation(0.5);
+      moved = office.window.view(Side::kSlam).viewState();
+      QVERIFY(office.window.view(Side::kBlueprint).isFitted());
+      QVERIFY(office.window.files().saveProjectTo(path));
+    }
+    OfficeWindow again(false);
+    again.window.resize(1000, 700);
+    QVERIFY(again.window.files().openProject(path));
+    QVERIFY(again.waitUntilReady());
+    QVERIFY(again.window.view(Side::kSlam).viewState() == moved);
+    const MapView& blueprint = again.window.view(Side::kBlueprint);
+    QTRY_VERIFY_WITH_TIMEOUT(blueprint.isFitted(), test::kPatience);
+    const MapFrame& frame = *blueprint.frame();
+    for (const Eigen::Vector2d& corner : {Eigen::Vector2d(0, 0), Eigen::Vector2d(frame.width(), frame.height())})
+      QVERIFY(blueprint.isInView(toQPointF(frame.metricFromPixel(corner)), 0.0));
+  }
+
+  void aProjectSavedBeforeItsImagesWereReadOpensFitted() {
+    const QString path = sandbox_->path(QStringLiteral("site.c2sproj"));
+    {
+      MainWindow window;  // never shown, and saved at once
+      QVERIFY(window.files().setImage(Side::kBlueprint, OfficeWindow::sample("blueprint.yaml")));
+      QVERIFY(window.files().setImage(Side::kSlam, OfficeWindow::sample("slam_1.yaml")));
+      QVERIFY(window.files().saveProjectTo(path));
+    }
+    OfficeWindow again(false);
+    QVERIFY(again.window.files().openProject(path));
+    QVERIFY(again.waitUntilReady());
+    for (const Side side : {Side::kBlueprint, Side::kSlam})
+      QTRY_VERIFY_WITH_TIMEOUT(again.window.view(side).isFitted(), test::kPatience);
+  }
+
   void scenario19_killedWhileEditingLosesAtMostTheLastGesture() {
     const QString root = Autosave::defaultRoot();
     QProcess victim;

@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: 2026 The CAD2SLAM authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QPointF>
+#include <QRectF>
+#include <QSizeF>
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace cad2slam {
+
+/// Finds room for texts beside markers, so that no text covers a marker or another text: each takes the first of six
+/// places that is free (the greedy rule of point-feature label placement). Most important first; what finds no room is
+/// better not drawn. Logical pixels.
+class LabelLayout {
+ public:
+  explicit LabelLayout(const QSizeF& view);
+
+  /// A marker, or whatever else texts keep away from.
+  void occupy(const QRectF& area);
+
+  /// Where a text of this size goes beside the marker at `at`, `reach` away from its middle in x and y; the area is
+  /// taken from then on. None: there is no room.
+  [[nodiscard]] std::optional<QRectF> place(const QPointF& at, double reach, const QSizeF& text);
+  /// The same at the place that is tried first, free or not.
+  QRectF placeAnyway(const QPointF& at, double reach, const QSizeF& text);
+
+ private:
+  struct Cells {
+    int left, top, right, bottom;  // inclusive
+  };
+  [[nodiscard]] Cells cellsOf(const QRectF& area) const;
+  [[nodiscard]] bool isFree(const QRectF& area) const;
+
+  int columns_;
+  int rows_;
+  std::vector<std::uint8_t> taken_;  // row by row
+};
+
+}  // namespace cad2slam
