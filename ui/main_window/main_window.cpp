@@ -257,8 +257,14 @@ void MainWindow::connectViewActions() {
   };
   toggle(kSnap, true, on_both([](MapView& v, bool on_now) { v.setSnapping(on_now); }));
   toggle(kLoupe, false, on_both([](MapView& v, bool on_now) { v.setLoupe(on_now); }));
-  toggle(kMarkers, true, on_both([](MapView& v, bool on_now) { v.setMarkersVisible(on_now); }));
-  toggle(kTexts, true, on_both([](MapView& v, bool on_now) { v.setMarkerTextVisible(on_now); }));
+  toggle(kMarkers, true, [this](bool on_now) {
+    for (MapView* v : {blueprint_view_, slam_view_, static_cast<MapView*>(&preview_->view())})
+      v->setMarkersVisible(on_now);
+  });
+  toggle(kTexts, true, [this](bool on_now) {
+    for (MapView* v : {blueprint_view_, slam_view_, static_cast<MapView*>(&preview_->view())})
+      v->setMarkerTextVisible(on_now);
+  });
   toggle(kMesh, false, [this](bool on_now) { views_->setMeshVisible(on_now); });
   toggle(kResiduals, true, [this](bool on_now) { views_->setResidualsVisible(on_now); });
   toggle(kExaggerate, false, [this](bool on_now) { views_->setMagnification(on_now ? 10.0 : 1.0); });

@@ -103,6 +103,10 @@ void MapView::setMarkerTextVisible(bool visible) {
   marker_text_visible_ = visible;
   update();
 }
+void MapView::setMapFirst(bool on) {
+  map_first_ = on;
+  update();
+}
 void MapView::setGhost(std::optional<Ghost> ghost) {
   ghost_ = std::move(ghost);
   update();

@@ -51,6 +51,8 @@ class MapView : public QWidget {
   void setMarkers(std::vector<Marker> markers);
   void setMarkersVisible(bool visible);
   void setMarkerTextVisible(bool visible);
+  /// Where markers crowd they become dots without text, so that the map can be seen.
+  void setMapFirst(bool on);
   void setGhost(std::optional<Ghost> ghost);
   /// A note tells a magnification other than 1, unless setMagnificationNote(false).
   void setResiduals(std::vector<ResidualVector> residuals, double magnification);
@@ -220,6 +222,7 @@ class MapView : public QWidget {
   std::vector<Marker> markers_;
   bool markers_visible_ = true;
   bool marker_text_visible_ = true;
+  bool map_first_ = false;
   std::optional<Ghost> ghost_;
   std::vector<ResidualVector> residuals_;
   double residual_magnification_ = 1.0;

@@ -96,7 +96,7 @@ std::vector<MapView::SeenMarker> MapView::seenMarkers(const QTransform& widget_f
   }
   if (isCrowd(std::move(places))) {
     for (SeenMarker& each : seen)
-      if (!each.in_front) each.size = MarkerSize::kSmall;
+      if (!each.in_front) each.size = map_first_ ? MarkerSize::kDot : MarkerSize::kSmall;
   }
   // Where they cover each other, what needs a look is in front.
   const auto weight = [](const SeenMarker& each) { return std::pair(each.in_front, urgencyOf(each.marker->judged)); };
@@ -112,6 +112,7 @@ void MapView::paintMarkers(QPainter& painter, const QTransform& widget_from_metr
   LabelLayout layout(size());
   for (const SeenMarker& each : seen) layout.occupy(MarkerPainter::coreOf(each.at, each.size));
   for (auto each = seen.rbegin(); each != seen.rend(); ++each) {
+    if (each->size == MarkerSize::kDot) continue;  // the map matters more
     const QSizeF text = marker_painter_.textSize(painter, *each->marker);
     const double reach = MarkerPainter::labelReach(*each->marker, each->size);
     std::optional<QRectF> area = layout.place(each->at, reach, text);

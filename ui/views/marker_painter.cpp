@@ -58,7 +58,17 @@ QPen solidPen(const QColor& color, double width) {
 }
 
 double radiusOf(MarkerSize size) {
-  return size == MarkerSize::kSmall ? 4.0 : size == MarkerSize::kNormal ? 7.5 : 10.0;
+  switch (size) {
+    case MarkerSize::kDot:
+      return 2.0;
+    case MarkerSize::kSmall:
+      return 4.0;
+    case MarkerSize::kNormal:
+      return 7.5;
+    case MarkerSize::kEnlarged:
+      break;
+  }
+  return 10.0;
 }
 
 void paintMarkerShape(QPainter& painter, const Marker& marker, MarkerSize wanted) {
@@ -75,9 +85,10 @@ void paintMarkerShape(QPainter& painter, const Marker& marker, MarkerSize wanted
     pen.setCapStyle(Qt::FlatCap);
     pen.setDashPattern({2.2, 1.6});
   }
-  if (wanted == MarkerSize::kSmall) pen.setWidthF(0.7 * pen.widthF());
+  const bool small = wanted == MarkerSize::kDot || wanted == MarkerSize::kSmall;
+  if (small) pen.setWidthF(0.7 * pen.widthF());
   strokeEdged(painter, shape, pen);
-  if (wanted == MarkerSize::kSmall) return;  // no room for details
+  if (small) return;  // no room for details
   QPainterPath dot;
   dot.addEllipse(QPointF(0, 0), 1.3, 1.3);
   painter.strokePath(dot, QPen(kLightEdge, 2.4));

@@ -13,8 +13,8 @@ namespace cad2slam {
 /// Colour of a class; the shape differs as well.
 [[nodiscard]] QColor colorOf(MarkerClass judged);
 
-/// Small where markers crowd, enlarged under the cursor.
-enum class MarkerSize { kSmall, kNormal, kEnlarged };
+/// Small or a dot where markers crowd, enlarged under the cursor.
+enum class MarkerSize { kDot, kSmall, kNormal, kEnlarged };
 
 /// Draws what lies on a map at places given in logical pixels of a view. Everything has a white and a dark edge, so
 /// that it can be read on any raster. Markers and texts are kept as sprites in QPixmapCache, for all views together:

@@ -35,6 +35,7 @@ bool isHeat(PreviewMode mode) {
 PreviewView::PreviewView(QWidget* parent) : MapView(parent) {
   setAccessibleName(tr("Preview"));
   setSnapping(false);
+  setMapFirst(true);
   setMagnificationNote(false);  // the legend tells it
   setLocked(true);
   blink_timer_.setInterval(kBlink_ms);
