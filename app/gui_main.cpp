@@ -36,11 +36,11 @@ int main(int argc, char** argv) {
 
   cad2slam::MainWindow window;
   window.show();
-  window.recovery().offer();
+  const bool can_recover = window.recovery().offer();
   QSettings settings;
   if (const QStringList projects = arguments.positionalArguments(); !projects.isEmpty()) {
     window.files().openProject(projects.constFirst());
-  } else if (!settings.value(QStringLiteral("tour_shown")).toBool()) {
+  } else if (!can_recover && !settings.value(QStringLiteral("tour_shown")).toBool()) {
     settings.setValue(QStringLiteral("tour_shown"), true);
     cad2slam::startTour(window);
   }

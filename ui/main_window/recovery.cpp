@@ -25,8 +25,9 @@ Recovery::Recovery(Session& session, MessageBar& messages, std::function<bool()>
   connect(&autosave_, &Autosave::written, this, [this] { messages_.remove(QStringLiteral("autosave")); });
 }
 
-void Recovery::offer() {
-  for (const Recoverable& recoverable : Autosave::findRecoverable(Autosave::defaultRoot())) {
+bool Recovery::offer() {
+  const std::vector<Recoverable> found = Autosave::findRecoverable(Autosave::defaultRoot());
+  for (const Recoverable& recoverable : found) {
     const QString id = QStringLiteral("recovery-") + QFileInfo(recoverable.folder).fileName();
     const QString name = recoverable.project_path.isEmpty() ? tr("a project that was never saved")
                                                             : QFileInfo(recoverable.project_path).fileName();
@@ -47,6 +48,7 @@ void Recovery::offer() {
                       }}},
                     0});
   }
+  return !found.empty();
 }
 
 void Recovery::recover(const Recoverable& recoverable) {

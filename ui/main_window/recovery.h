@@ -21,8 +21,8 @@ class Recovery : public QObject {
   /// `may_replace`: asks what is to become of unsaved changes before another project takes their place.
   Recovery(Session& session, MessageBar& messages, std::function<bool()> may_replace, QObject* parent = nullptr);
 
-  /// Shows an offer for each journal of a dead program.
-  void offer();
+  /// Shows an offer for each journal of a dead program; whether there is any.
+  bool offer();
   void recover(const Recoverable& recoverable);
   [[nodiscard]] Autosave& autosave() { return autosave_; }
 

@@ -165,12 +165,13 @@ class FilesTest : public QObject {
     QCOMPARE(found[0].project_path, QStringLiteral("/nowhere/site.c2sproj"));
 
     OfficeWindow office(false);
-    office.window.recovery().offer();
+    QVERIFY(office.window.recovery().offer());
     QVERIFY(office.pressCure(QStringLiteral("recovery-"), QStringLiteral("Recover")));
     QVERIFY(int(office.document().anchors().size()) >= told);
     QVERIFY(office.document().isModified());
     // It is this run's to keep now; the dead one's is gone.
     QVERIFY(Autosave::findRecoverable(root).empty());
+    QVERIFY(!office.window.recovery().offer());
     office.document().reset(Project{}, {});
   }
 
