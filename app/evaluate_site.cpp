@@ -5,9 +5,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <charconv>
 #include <chrono>
-#include <cmath>
 #include <cstdio>
 #include <utility>
 
@@ -18,37 +16,13 @@
 namespace cad2slam::cli {
 namespace {
 
-Result<double> positiveNumber(const std::string& text, const std::string& option) {
-  double value = 0.0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc{} || end != text.data() + text.size() || !(value > 0.0) || !std::isfinite(value)) {
-    return fail(ErrorCode::kOutOfDomain, "'" + text + "' is not a positive number", option);
-  }
-  return value;
-}
-
 Result<void> applyOptions(const EvaluateOptions& options, SolveInputs& inputs) {
   if (inputs.settings.model != Model::kStretch || options.project.empty()) {
     const ScaleSettings scale = inputs.settings.scale;
     inputs.settings = defaultSettings(Model::kStretch);
     if (!options.project.empty()) inputs.settings.scale = scale;
   }
-  if (options.scale == "auto") {
-    inputs.settings.scale.rule = ScaleRule::kToScale;
-  } else if (options.scale == "unknown") {
-    inputs.settings.scale.rule = ScaleRule::kLeastSquares;
-  } else if (!options.scale.empty()) {
-    const Result<double> scale = positiveNumber(options.scale, "--scale");
-    if (!scale) return failAs(scale);
-    inputs.settings.scale = {ScaleRule::kFixed, *scale};
-  }
-  if (options.cell_size == "auto") {
-    inputs.cell_size_m.reset();
-  } else if (!options.cell_size.empty()) {
-    const Result<double> cell_size = positiveNumber(options.cell_size, "--cell-size");
-    if (!cell_size) return failAs(cell_size);
-    inputs.cell_size_m = *cell_size;
-  }
+  if (Result<void> done = applyScaleAndCells(options.scale, options.cell_size, inputs); !done) return done;
   return applyOverrides(options.overrides, inputs.settings);
 }
 

@@ -4,7 +4,6 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <charconv>
 #include <chrono>
 #include <cmath>
 #include <iostream>
@@ -64,15 +63,6 @@ std::string nameOf(const Solution& solution) {
   return name;
 }
 
-Result<double> positiveNumber(const std::string& text, const std::string& option) {
-  double value = 0.0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc{} || end != text.data() + text.size() || !(value > 0.0) || !std::isfinite(value)) {
-    return fail(ErrorCode::kOutOfDomain, "'" + text + "' is not a positive number", option);
-  }
-  return value;
-}
-
 /// What the command line says beats what the project says.
 Result<void> applyOverrides(const SolveOptions& options, SolveInputs& inputs) {
   inputs.semantics = options.semantics;
@@ -80,23 +70,7 @@ Result<void> applyOverrides(const SolveOptions& options, SolveInputs& inputs) {
     inputs.settings = defaultSettings(options.model == "rigid" ? Model::kRigid : Model::kStretch);
   }
   if (options.stiffness && inputs.settings.model == Model::kStretch) inputs.settings.stiffness = *options.stiffness;
-  if (options.scale == "auto") {
-    inputs.settings.scale.rule = ScaleRule::kToScale;
-  } else if (options.scale == "unknown") {
-    inputs.settings.scale.rule = ScaleRule::kLeastSquares;
-  } else if (!options.scale.empty()) {
-    const Result<double> scale = positiveNumber(options.scale, "--scale");
-    if (!scale) return failAs(scale);
-    inputs.settings.scale = {ScaleRule::kFixed, *scale};
-  }
-  if (options.cell_size == "auto") {
-    inputs.cell_size_m.reset();
-  } else if (!options.cell_size.empty()) {
-    const Result<double> cell_size = positiveNumber(options.cell_size, "--cell-size");
-    if (!cell_size) return failAs(cell_size);
-    inputs.cell_size_m = *cell_size;
-  }
-  return {};
+  return applyScaleAndCells(options.scale, options.cell_size, inputs);
 }
 
 /// A line that rewrites itself on a terminal, once a solve has lasted a second.

@@ -11,6 +11,7 @@
 #include "cad2slam/io/anchors_csv.h"
 #include "cad2slam/io/project_file.h"
 #include "cad2slam/io/sha256.h"
+#include "cad2slam/io/text.h"
 #include "cad2slam/mesh/mesh_builder.h"
 
 namespace cad2slam::cli {
@@ -94,6 +95,33 @@ Result<SolveInputs> inputsFromProject(const std::filesystem::path& path, const s
               map.empty() ? "the project has several SLAM maps; choose one with --map: " + names
                           : "the project has no SLAM map named " + map + "; it has: " + names,
               path.string());
+}
+
+Result<double> positiveNumber(const std::string& text, const std::string& option) {
+  const std::optional<double> value = parseNumber(text);
+  if (!value || !(*value > 0.0))
+    return fail(ErrorCode::kOutOfDomain, "'" + text + "' is not a positive number", option);
+  return *value;
+}
+
+Result<void> applyScaleAndCells(const std::string& scale, const std::string& cell_size, SolveInputs& inputs) {
+  if (scale == "auto") {
+    inputs.settings.scale.rule = ScaleRule::kToScale;
+  } else if (scale == "unknown") {
+    inputs.settings.scale.rule = ScaleRule::kLeastSquares;
+  } else if (!scale.empty()) {
+    const Result<double> fixed = positiveNumber(scale, "--scale");
+    if (!fixed) return failAs(fixed);
+    inputs.settings.scale = {ScaleRule::kFixed, *fixed};
+  }
+  if (cell_size == "auto") {
+    inputs.cell_size_m.reset();
+  } else if (!cell_size.empty()) {
+    const Result<double> metres = positiveNumber(cell_size, "--cell-size");
+    if (!metres) return failAs(metres);
+    inputs.cell_size_m = *metres;
+  }
+  return {};
 }
 
 Result<SolvedJob> runSolve(const SolveInputs& inputs, SolverBackend backend, const IterationCallback& on_iteration) {

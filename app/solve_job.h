@@ -54,6 +54,13 @@ struct SolvedJob {
 /// Takes one SLAM map of a project; `map` may be empty when there is only one.
 [[nodiscard]] Result<SolveInputs> inputsFromProject(const std::filesystem::path& project, const std::string& map);
 
+/// Of the option of this name, which is named in complaints.
+[[nodiscard]] Result<double> positiveNumber(const std::string& text, const std::string& option);
+/// --scale (auto, unknown or SLAM metres per blueprint metre) and --cell-size (auto or metres); empty texts leave what
+/// is there.
+[[nodiscard]] Result<void> applyScaleAndCells(const std::string& scale, const std::string& cell_size,
+                                              SolveInputs& inputs);
+
 /// Loads the blueprint, builds the mesh and solves. `on_iteration` may be empty.
 [[nodiscard]] Result<SolvedJob> runSolve(const SolveInputs& inputs, SolverBackend backend,
                                          const IterationCallback& on_iteration);

@@ -7,22 +7,12 @@
 #include "cad2slam/io/text.h"
 
 #include <array>
-#include <charconv>
-#include <cmath>
 #include <optional>
 
 namespace cad2slam {
 namespace {
 
 constexpr std::size_t kMaxBytes = 64U << 20;
-
-/// Without the leading + that other texts may have.
-std::optional<double> strictNumber(const std::string& text) {
-  double value = 0.0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc{} || end != text.data() + text.size() || !std::isfinite(value)) return {};
-  return value;
-}
 
 }  // namespace
 
@@ -36,7 +26,7 @@ Result<std::vector<StartGoal>> parsePathsCsv(std::string_view text, const std::s
     std::array<double, 4> numbers{};
     bool complete = record->complaint.empty() && record->fields.size() == numbers.size();
     for (std::size_t i = 0; complete && i < numbers.size(); ++i) {
-      const std::optional<double> number = strictNumber(record->fields[i]);
+      const std::optional<double> number = parseNumber(record->fields[i]);
       complete = number.has_value();
       numbers[i] = number.value_or(0.0);
     }
