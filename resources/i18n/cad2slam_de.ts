@@ -111,6 +111,22 @@
         <source>The other SLAM maps are solved for the preview; click to stop (Ctrl+.)</source>
         <translation>Die anderen SLAM-Karten werden für die Vorschau gelöst; ein Klick hält an (Strg+.)</translation>
     </message>
+    <message>
+        <source>The alignment could not be solved; see the message above</source>
+        <translation>Die Ausrichtung ließ sich nicht lösen; siehe die Meldung oben</translation>
+    </message>
+    <message>
+        <source>The alignment was stopped: F5 solves it again</source>
+        <translation>Die Ausrichtung wurde angehalten: F5 löst sie neu</translation>
+    </message>
+    <message>
+        <source>Solving the alignment...</source>
+        <translation>Die Ausrichtung wird gelöst ...</translation>
+    </message>
+    <message>
+        <source>No anchor is used: switch some on in the table, or place new ones</source>
+        <translation>Kein Anker wird verwendet: in der Tabelle einschalten oder neue setzen</translation>
+    </message>
 </context>
 <context>
     <name>Menus</name>
@@ -359,6 +375,13 @@
     <message>
         <source>CAD2SLAM report</source>
         <translation>CAD2SLAM-Bericht</translation>
+    </message>
+</context>
+<context>
+    <name>SavePath</name>
+    <message>
+        <source>%1 already exists. Replace it?</source>
+        <translation>%1 gibt es schon. Ersetzen?</translation>
     </message>
 </context>
 <context>
@@ -931,6 +954,14 @@
     <message>
         <source>copy anchors from %1</source>
         <translation>Anker kopieren von %1</translation>
+    </message>
+    <message>
+        <source>Anchors are locked for looking only</source>
+        <translation>Die Anker sind gesperrt: nur ansehen</translation>
+    </message>
+    <message>
+        <source>Unlock</source>
+        <translation>Entsperren</translation>
     </message>
 </context>
 <context>
@@ -1551,6 +1582,14 @@
     <message>
         <source>Anchors (*.csv *.txt *.data *.points);;All files (*)</source>
         <translation>Anker (*.csv *.txt *.data *.points);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>The blueprint is not the image this project was made with</source>
+        <translation>Der Bauplan ist nicht das Bild, mit dem dieses Projekt gemacht wurde</translation>
+    </message>
+    <message>
+        <source>The SLAM map is not the image this project was made with</source>
+        <translation>Die SLAM-Karte ist nicht das Bild, mit dem dieses Projekt gemacht wurde</translation>
     </message>
 </context>
 <context>

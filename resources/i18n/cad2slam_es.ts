@@ -111,6 +111,22 @@
         <source>The other SLAM maps are solved for the preview; click to stop (Ctrl+.)</source>
         <translation>Los demás mapas SLAM se resuelven para la vista previa; clic para detener (Ctrl+.)</translation>
     </message>
+    <message>
+        <source>The alignment could not be solved; see the message above</source>
+        <translation>No se pudo resolver la alineación; vea el mensaje de arriba</translation>
+    </message>
+    <message>
+        <source>The alignment was stopped: F5 solves it again</source>
+        <translation>La alineación se detuvo: F5 la resuelve de nuevo</translation>
+    </message>
+    <message>
+        <source>Solving the alignment...</source>
+        <translation>Resolviendo la alineación...</translation>
+    </message>
+    <message>
+        <source>No anchor is used: switch some on in the table, or place new ones</source>
+        <translation>No se usa ninguna ancla: active algunas en la tabla o coloque otras</translation>
+    </message>
 </context>
 <context>
     <name>Menus</name>
@@ -359,6 +375,13 @@
     <message>
         <source>CAD2SLAM report</source>
         <translation>Informe de CAD2SLAM</translation>
+    </message>
+</context>
+<context>
+    <name>SavePath</name>
+    <message>
+        <source>%1 already exists. Replace it?</source>
+        <translation>%1 ya existe. ¿Reemplazarlo?</translation>
     </message>
 </context>
 <context>
@@ -931,6 +954,14 @@
     <message>
         <source>copy anchors from %1</source>
         <translation>copiar anclas de %1</translation>
+    </message>
+    <message>
+        <source>Anchors are locked for looking only</source>
+        <translation>Las anclas están bloqueadas: solo para mirar</translation>
+    </message>
+    <message>
+        <source>Unlock</source>
+        <translation>Desbloquear</translation>
     </message>
 </context>
 <context>
@@ -1551,6 +1582,14 @@
     <message>
         <source>Anchors (*.csv *.txt *.data *.points);;All files (*)</source>
         <translation>Anclas (*.csv *.txt *.data *.points);;Todos los archivos (*)</translation>
+    </message>
+    <message>
+        <source>The blueprint is not the image this project was made with</source>
+        <translation>El plano no es la imagen con la que se hizo este proyecto</translation>
+    </message>
+    <message>
+        <source>The SLAM map is not the image this project was made with</source>
+        <translation>El mapa SLAM no es la imagen con la que se hizo este proyecto</translation>
     </message>
 </context>
 <context>

@@ -89,7 +89,7 @@ void push(ProjectDocument& document, const std::vector<AnchorId>& ids, const QSt
     edited.snapped_after = moved || always ? snapped : edited.snapped_before;
     changes.push_back(std::move(edited));
   }
-  if (changes.empty()) return;
+  if (changes.empty() || !document.mayEditAnchors()) return;
   document.undoStack().push(
       new EditAnchorsCommand(document, std::move(changes), document.nextId(), text, gesture, interim));
 }
@@ -99,7 +99,7 @@ void push(ProjectDocument& document, const std::vector<AnchorId>& ids, const QSt
 AnchorId addAnchor(ProjectDocument& document, const Eigen::Vector2d& in_blueprint, const Eigen::Vector2d& in_slam,
                    bool snapped) {
   const AnchorId id = document.nextId();
-  if (!document.currentMap()) return id;
+  if (!document.currentMap() || !document.mayEditAnchors()) return id;
   AnchorChange change;
   change.index = document.anchors().size();
   change.after = Anchor{id, in_blueprint, in_slam, true, {}, {}};
@@ -131,7 +131,7 @@ void deleteAnchors(ProjectDocument& document, const std::vector<AnchorId>& ids) 
   for (std::size_t i = 0; i < anchors.size(); ++i)
     if (std::find(ids.begin(), ids.end(), anchors[i].id) != ids.end())
       changes.push_back({i, anchors[i], std::nullopt, document.isSnapped(anchors[i].id), false});
-  if (changes.empty()) return;
+  if (changes.empty() || !document.mayEditAnchors()) return;
   const QString name = changes.size() == 1
                            ? text(QT_TRANSLATE_NOOP("edit", "delete anchor %1"), changes.front().id())
                            : text(QT_TRANSLATE_NOOP("edit", "delete %1 anchors"), AnchorId(changes.size()));
@@ -166,7 +166,7 @@ void swapCounterparts(ProjectDocument& document, AnchorId first, AnchorId second
 
 std::vector<AnchorId> addAnchors(ProjectDocument& document, AnchorList anchors, const QString& text) {
   std::vector<AnchorId> ids;
-  if (!document.currentMap() || anchors.empty()) return ids;
+  if (!document.currentMap() || anchors.empty() || !document.mayEditAnchors()) return ids;
   std::vector<AnchorChange> changes;
   AnchorId next_id = document.nextId();
   std::set<AnchorId> taken;

@@ -66,6 +66,7 @@ void setBlueprint(ProjectDocument& document, const ProjectRaster& raster) {
 }
 
 void rescaleBlueprint(ProjectDocument& document, double factor) {
+  if (!document.mayEditAnchors()) return;
   if (!std::isfinite(factor) || factor <= 0.0 || factor == 1.0) return;
   DocumentState state = document.state();
   MapMetadata& metadata = state.project.blueprint.metadata;
@@ -78,6 +79,7 @@ void rescaleBlueprint(ProjectDocument& document, double factor) {
 }
 
 void flipBlueprint(ProjectDocument& document, const MapFrame& frame) {
+  if (!document.mayEditAnchors()) return;
   DocumentState state = document.state();
   MapMetadata& metadata = state.project.blueprint.metadata;
   metadata.mirrored = !metadata.mirrored;
@@ -119,6 +121,7 @@ std::string addSlamMap(ProjectDocument& document, const std::string& name, const
 }
 
 void removeSlamMap(ProjectDocument& document, const std::string& name) {
+  if (!document.mayEditAnchors()) return;  // they would go with it
   if (!hasMap(document.project(), name)) return;
   DocumentState state = document.state();
   std::erase_if(state.project.slam_maps, [&](const ProjectSlamMap& map) { return map.name == name; });

@@ -24,6 +24,25 @@ AnchorId largestId(const Project& project) {
   return largest;
 }
 
+bool isSameGround(const MapMetadata& a, const MapMetadata& b) {
+  return a.resolution_m_per_px == b.resolution_m_per_px && a.mirrored == b.mirrored &&
+         a.metric_from_corner.translation == b.metric_from_corner.translation &&
+         a.metric_from_corner.heading == b.metric_from_corner.heading;
+}
+
+/// The map before a step that is `map` after it: the one of its name, or the one that was renamed.
+const ProjectSlamMap* sameMapIn(const Project& before, const ProjectSlamMap& map, const Project& after) {
+  const auto named = [](const Project& project, const std::string& name) -> const ProjectSlamMap* {
+    for (const ProjectSlamMap& each : project.slam_maps)
+      if (each.name == name) return &each;
+    return nullptr;
+  };
+  if (const ProjectSlamMap* same = named(before, map.name)) return same;
+  for (const ProjectSlamMap& each : before.slam_maps)
+    if (each.raster.metadata.image == map.raster.metadata.image && !named(after, each.name)) return &each;
+  return nullptr;
+}
+
 }  // namespace
 
 ProjectDocument::ProjectDocument(QObject* parent) : QObject(parent) {
@@ -87,14 +106,25 @@ void ProjectDocument::setPending(std::optional<PendingAnchor> pending) {
   ProjectSlamMap* map = mapNamed(currentMapName());
   if (!map || (!map->pending && !pending)) return;
   map->pending = pending;
-  modified_beyond_undo_ = true;
   announce({Change::kPending | Change::kSavedState, {}, {}, {}});
 }
 
 void ProjectDocument::setLocked(bool locked) {
   if (locked == locked_) return;
   locked_ = locked;
-  announce({Change::kPreferences, {}, {}, {}});
+  announce({Change::kPreferences | Change::kSavedState, {}, {}, {}});
+}
+
+bool ProjectDocument::mayEditAnchors() {
+  if (locked_) emit editRefused();
+  return !locked_;
+}
+
+std::map<std::string, PendingAnchor> ProjectDocument::pendingOfAllMaps() const {
+  std::map<std::string, PendingAnchor> pending;
+  for (const ProjectSlamMap& map : project().slam_maps)
+    if (map.pending) pending.emplace(map.name, *map.pending);
+  return pending;
 }
 
 void ProjectDocument::reset(Project project, const std::filesystem::path& path, bool recovered) {
@@ -109,14 +139,18 @@ void ProjectDocument::reset(Project project, const std::filesystem::path& path, 
   locked_ = app.locked;
   current_map_ = app.current_map;
   path_ = path;
-  modified_beyond_undo_ = recovered;
+  never_saved_ = recovered;
+  saved_locked_ = locked_;
+  saved_pending_ = pendingOfAllMaps();
   ++revision_;
   announce({Change::kEverything | Change::kSavedState | Change::kAnchors | Change::kPending, {}, {}, {}});
 }
 
 void ProjectDocument::markSaved(const std::filesystem::path& path) {
   path_ = path;
-  modified_beyond_undo_ = false;
+  never_saved_ = false;
+  saved_locked_ = locked_;
+  saved_pending_ = pendingOfAllMaps();
   undo_stack_.setClean();
   announce({Change::kSavedState, {}, {}, {}});
 }
@@ -133,7 +167,7 @@ void ProjectDocument::describeRasters(const std::string& map_name, const Project
 }
 
 bool ProjectDocument::isModified() const {
-  return modified_beyond_undo_ || !undo_stack_.isClean();
+  return never_saved_ || !undo_stack_.isClean() || locked_ != saved_locked_ || pendingOfAllMaps() != saved_pending_;
 }
 
 Project ProjectDocument::projectToSave() const {
@@ -203,14 +237,15 @@ void ProjectDocument::applyAnchorChanges(const std::string& map_name, const std:
 
 void ProjectDocument::applyState(const DocumentState& state, const std::string& current_map, ChangeEvent event) {
   // The half anchor is not part of any command, so it stays, unless its ground has moved.
-  std::map<std::string, PendingAnchor> pending;
-  for (const ProjectSlamMap& map : state_.project.slam_maps)
-    if (map.pending) pending.emplace(map.name, *map.pending);
-  state_ = state;
+  const Project before = std::exchange(state_, state).project;
   for (ProjectSlamMap& map : state_.project.slam_maps) {
-    const auto found = pending.find(map.name);
-    const bool keep = found != pending.end() && !(event.what & (Change::kBlueprint | Change::kSlamMaps));
-    map.pending = keep ? std::optional(found->second) : std::nullopt;
+    map.pending.reset();
+    const ProjectSlamMap* old = sameMapIn(before, map, state_.project);
+    if (!old || !old->pending) continue;
+    const bool in_blueprint = old->pending->in_blueprint;
+    const bool stays = in_blueprint ? isSameGround(before.blueprint.metadata, state_.project.blueprint.metadata)
+                                    : isSameGround(old->raster.metadata, map.raster.metadata);
+    if (stays) map.pending = old->pending;
   }
   if (event.what & (Change::kBlueprint | Change::kSlamMaps)) event.what |= Change::kAnchors | Change::kPending;
   current_map_ = current_map;

@@ -12,6 +12,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -55,6 +56,8 @@ class ProjectDocument : public QObject {
   /// No anchor may be changed: for looking only.
   [[nodiscard]] bool isLocked() const { return locked_; }
   void setLocked(bool locked);
+  /// Commands ask before they touch an anchor; where they may not, editRefused() tells the user why.
+  [[nodiscard]] bool mayEditAnchors();
 
   /// What the window wants to remember with the project (zoom, overlay, ...). Changing it does not modify the document.
   [[nodiscard]] const QJsonObject& viewState() const { return view_state_; }
@@ -73,6 +76,7 @@ class ProjectDocument : public QObject {
 
  signals:
   void changed(const cad2slam::ChangeEvent& event);
+  void editRefused();
 
  private:
   friend class EditAnchorsCommand;
@@ -84,6 +88,7 @@ class ProjectDocument : public QObject {
   void applyState(const DocumentState& state, const std::string& current_map, ChangeEvent event);
 
   [[nodiscard]] ProjectSlamMap* mapNamed(const std::string& name);
+  [[nodiscard]] std::map<std::string, PendingAnchor> pendingOfAllMaps() const;
   void announce(const ChangeEvent& event);
 
   DocumentState state_;
@@ -94,7 +99,10 @@ class ProjectDocument : public QObject {
   std::uint64_t revision_ = 0;
   int last_gesture_ = 0;
   bool locked_ = false;
-  bool modified_beyond_undo_ = false;  // the pending half changed, or a recovered document was never saved
+  bool never_saved_ = false;  // recovered after a crash
+  // What is saved but no step of undo, as it was when last saved.
+  bool saved_locked_ = false;
+  std::map<std::string, PendingAnchor> saved_pending_;
 };
 
 }  // namespace cad2slam

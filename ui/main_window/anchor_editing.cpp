@@ -62,18 +62,29 @@ AnchorEditing::AnchorEditing(Session& session, const Actions& actions, ViewPair&
   connect(&stack, &QUndoStack::indexChanged, this, &AnchorEditing::refreshActions);
   connect(&session_.selection(), &AnchorSelection::changed, this, &AnchorEditing::refreshActions);
   connect(&session_.document(), &ProjectDocument::changed, this, &AnchorEditing::refreshActions);
+  connect(&session_.document(), &ProjectDocument::editRefused, this, [this] {
+    messages_.show({QStringLiteral("toast"),
+                    Severity::kNote,
+                    tr("Anchors are locked for looking only"),
+                    {{tr("Unlock"),
+                      [this] {
+                        session_.document().setLocked(false);
+                        messages_.remove(QStringLiteral("toast"));
+                      }}},
+                    5000});
+  });
   refreshActions();
 }
 
 void AnchorEditing::refreshActions() {
   ProjectDocument& document = session_.document();
   QUndoStack& stack = document.undoStack();
-  actions_[kUndo]->setEnabled(stack.canUndo());
-  actions_[kRedo]->setEnabled(stack.canRedo());
+  const bool editable = !document.isLocked();
+  actions_[kUndo]->setEnabled(editable && stack.canUndo());
+  actions_[kRedo]->setEnabled(editable && stack.canRedo());
   actions_[kUndo]->setText(stack.canUndo() ? tr("&Undo: %1").arg(stack.undoText()) : tr("&Undo"));
   actions_[kRedo]->setText(stack.canRedo() ? tr("&Redo: %1").arg(stack.redoText()) : tr("&Redo"));
   const std::size_t selected = session_.selection().ids().size();
-  const bool editable = !document.isLocked();
   for (const ActionId id : {kDelete, kToggleEnabled}) actions_[id]->setEnabled(editable && selected > 0);
   actions_[kRename]->setEnabled(editable && selected == 1);
   actions_[kSwap]->setEnabled(editable && selected == 2);
@@ -87,6 +98,15 @@ void AnchorEditing::refreshActions() {
   actions_[kLock]->setChecked(document.isLocked());
 }
 
+Cure AnchorEditing::undoCure() {
+  const int step = session_.document().undoStack().index();
+  return {tr("Undo"), [this, step] {
+            QUndoStack& stack = session_.document().undoStack();
+            if (stack.index() == step && !session_.document().isLocked()) stack.undo();  // else it is not the last step
+            messages_.remove(QStringLiteral("toast"));
+          }};
+}
+
 void AnchorEditing::deleteSelected() {
   if (session_.document().isLocked()) return;
   const std::vector<AnchorId> ids = session_.selection().ids();
@@ -96,11 +116,7 @@ void AnchorEditing::deleteSelected() {
                   Severity::kNote,
                   ids.size() == 1 ? tr("Anchor %1 deleted").arg(ids.front())
                                   : tr("%n anchor(s) deleted", nullptr, int(ids.size())),
-                  {{tr("Undo"),
-                    [this] {
-                      session_.document().undoStack().undo();
-                      messages_.remove(QStringLiteral("toast"));
-                    }}},
+                  {undoCure()},
                   5000});
 }
 
@@ -116,6 +132,8 @@ void AnchorEditing::toggleSelected() {
 }
 
 void AnchorEditing::renameSelected() {
+  const QModelIndex here = panel_.table()->currentIndex();
+  if (panel_.table()->hasFocus() && here.flags().testFlag(Qt::ItemIsEditable)) return panel_.table()->edit(here);
   const auto id = session_.selection().current();
   const std::optional<int> row = id ? panel_.model().rowOf(*id) : std::nullopt;
   if (!row) return;
@@ -158,7 +176,7 @@ void AnchorEditing::disableWorst() {
   messages_.show({QStringLiteral("toast"),
                   Severity::kNote,
                   tr("Anchor %1 is no longer used; it was off by %2").arg(worst->second).arg(lengthText(worst->first)),
-                  {{tr("Undo"), [this] { session_.document().undoStack().undo(); }}},
+                  {undoCure()},
                   5000});
 }
 

@@ -4,6 +4,7 @@
 
 #include "ui/main_window/actions.h"
 #include "ui/main_window/session.h"
+#include "ui/panels/message_bar.h"
 
 #include <QObject>
 
@@ -12,7 +13,6 @@ class QWidget;
 namespace cad2slam {
 
 class AnchorPanel;
-class MessageBar;
 class ViewPair;
 
 /// The actions that edit anchors, connected to commands on the selection.
@@ -28,6 +28,8 @@ class AnchorEditing : public QObject {
   void toggleSelected();
 
  private:
+  /// Of a toast about the step that was just made.
+  [[nodiscard]] Cure undoCure();
   void renameSelected();
   void typeCoordinates();
   void swapSelected();

@@ -137,6 +137,13 @@ void DiagnosisMessages::take(const Answer& answer) {
   emit diagnosed();
 }
 
+QStringList DiagnosisMessages::sentences(Severity least) {
+  QStringList texts;
+  for (const Finding& finding : findings_)
+    if (const Message message = messageOf(finding); message.severity >= least) texts += message.text;
+  return texts;
+}
+
 Cure DiagnosisMessages::showCure(const Finding& finding) {
   return {tr("Show"), [this, ids = finding.anchors, place = finding.place] {
             if (!ids.empty()) {

@@ -27,6 +27,8 @@ class DiagnosisMessages : public QObject {
 
   /// Of the last look; tests and the report read them.
   [[nodiscard]] const std::vector<Finding>& findings() const { return findings_; }
+  /// The same in words, closed messages too; those of this severity and above.
+  [[nodiscard]] QStringList sentences(Severity least);
 
  signals:
   void diagnosed();

@@ -6,6 +6,7 @@
 #include "cad2slam/io/projector_file.h"
 #include "cad2slam/io/qgis_points.h"
 #include "ui/convert.h"
+#include "ui/dialogs/save_path.h"
 #include "ui/document/anchor_commands.h"
 #include "ui/models/number_text.h"
 #include "ui/panels/message_bar.h"
@@ -38,8 +39,10 @@ constexpr double kRoundTripTolerance = 1e-6;  // metres
 
 using Verdict = ExportCheck::Verdict;
 
-FrameInfo frameInfo(const std::string& name, const ProjectRaster& raster, const MapFrame& frame) {
-  return {name, raster.image_sha256, frame.resolution(), frame.width(), frame.height(), frame.metricFromCorner()};
+/// Of the image that was solved on.
+FrameInfo frameInfo(const std::string& name, const RasterStore& rasters, Side side) {
+  const MapFrame& frame = *rasters.frame(side);
+  return {name, rasters.imageHash(side), frame.resolution(), frame.width(), frame.height(), frame.metricFromCorner()};
 }
 
 /// In the words of the system, local time; what is no date is shown as it is.
@@ -70,7 +73,7 @@ Result<double> readBackDifference(const std::filesystem::path& path, const Proje
 
 }  // namespace
 
-std::vector<ExportCheck> exportChecks(Session& session) {
+std::vector<ExportCheck> exportChecks(Session& session, const QStringList& findings) {
   std::vector<ExportCheck> checks;
   const SolveResultPtr& result = session.alignment().result();
   if (!result) {
@@ -109,6 +112,11 @@ std::vector<ExportCheck> exportChecks(Session& session) {
   } else {
     checks.push_back({Verdict::kGood, Exports::tr("The mesh does not fold")});
   }
+  for (const QString& finding : findings) checks.push_back({Verdict::kWarning, finding});
+  if (session.rasters().isImageChanged(Side::kBlueprint))
+    checks.push_back({Verdict::kWarning, Exports::tr("The blueprint is not the image this project was made with")});
+  if (session.rasters().isImageChanged(Side::kSlam))
+    checks.push_back({Verdict::kWarning, Exports::tr("The SLAM map is not the image this project was made with")});
   if (!result->solution.converged)
     checks.push_back({Verdict::kWarning, Exports::tr("The optimisation stopped before it had converged")});
   if (session.document().pending())
@@ -157,6 +165,7 @@ bool Exports::importAnchors(const QString& path) {
     messages_.show({id, Severity::kWarning, tr("Choose a SLAM map first: anchors belong to one"), {}, 8000});
     return false;
   }
+  if (!session_.document().mayEditAnchors()) return false;
   QString how;
   Result<AnchorImport> read = readAnchorFile(path, how);
   if (!read) {
@@ -194,8 +203,8 @@ ProjectorOptions Exports::projectorOptions(const QString& overridden) const {
   ProjectDocument& document = session_.document();
   const ProjectSlamMap& map = *document.currentMap();
   ProjectorOptions options;
-  options.blueprint = frameInfo("blueprint", document.project().blueprint, *session_.rasters().frame(Side::kBlueprint));
-  options.slam = frameInfo(map.name, map.raster, *session_.rasters().frame(Side::kSlam));
+  options.blueprint = frameInfo("blueprint", session_.rasters(), Side::kBlueprint);
+  options.slam = frameInfo(map.name, session_.rasters(), Side::kSlam);
   options.creator = "cad2slam " + toStd(QCoreApplication::applicationVersion());
   options.created = toStd(QDateTime::currentDateTimeUtc().toString(Qt::ISODate));
   options.project = document.path().filename().string();
@@ -305,18 +314,17 @@ void Exports::askImportAnchors() {
 }
 
 void Exports::askExportAnchors() {
-  const QString path = QFileDialog::getSaveFileName(&window_, tr("Export anchors"),
-                                                    suggestion(QStringLiteral("-anchors.csv")), tr("Anchors (*.csv)"));
+  const QString path = askSavePath(&window_, tr("Export anchors"), suggestion(QStringLiteral("-anchors.csv")),
+                                   tr("Anchors (*.csv)"), QStringLiteral(".csv"));
   if (!path.isEmpty()) exportAnchors(path);
 }
 
 void Exports::askExportProjector() {
-  const std::vector<ExportCheck> checks = exportChecks(session_);
+  const std::vector<ExportCheck> checks = exportChecks(session_, findings_ ? findings_() : QStringList());
   if (!ExportDialog::ask(&window_, checks)) return;
-  QString path = QFileDialog::getSaveFileName(&window_, tr("Export projector"), suggestion(QStringLiteral(".c2s")),
-                                              tr("Projectors (*.c2s)"));
+  const QString path = askSavePath(&window_, tr("Export projector"), suggestion(QStringLiteral(".c2s")),
+                                   tr("Projectors (*.c2s)"), QStringLiteral(".c2s"));
   if (path.isEmpty()) return;
-  if (!path.endsWith(QStringLiteral(".c2s"), Qt::CaseInsensitive)) path += QStringLiteral(".c2s");
   QStringList overridden;
   for (const ExportCheck& check : checks)
     if (check.verdict == Verdict::kWarning) overridden += check.sentence;

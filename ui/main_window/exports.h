@@ -9,7 +9,10 @@
 
 #include <QObject>
 #include <QString>
+#include <QStringList>
 
+#include <functional>
+#include <utility>
 #include <vector>
 
 class QWidget;
@@ -18,8 +21,8 @@ namespace cad2slam {
 
 class MessageBar;
 
-/// What speaks for and against writing a projector now.
-[[nodiscard]] std::vector<ExportCheck> exportChecks(Session& session);
+/// What speaks for and against writing a projector now. `findings`: what the diagnosis warns of.
+[[nodiscard]] std::vector<ExportCheck> exportChecks(Session& session, const QStringList& findings = {});
 
 /// Import and export of anchors, export and inspection of projectors. Functions with a path do the work and never ask.
 class Exports : public QObject {
@@ -27,6 +30,9 @@ class Exports : public QObject {
 
  public:
   Exports(Session& session, MessageBar& messages, QWidget& window);
+
+  /// Asked before an export for what the diagnosis warns of.
+  void setFindings(std::function<QStringList()> findings) { findings_ = std::move(findings); }
 
   bool importAnchors(const QString& path);
   bool exportAnchors(const QString& path);
@@ -53,6 +59,7 @@ class Exports : public QObject {
   Session& session_;
   MessageBar& messages_;
   QWidget& window_;
+  std::function<QStringList()> findings_;
   bool exporting_ = false;
 };
 

@@ -38,7 +38,14 @@ QString hintOf(Session& session) {
   }
   const std::size_t used = session.summary().used;
   if (document.anchors().empty()) return Text::tr("Click a corner or pillar in either view");
-  if (used <= 1) return Text::tr("Rotation unknown: add another anchor far away from the first");
+  if (session.alignment().status() == AlignmentStatus::kFailed)
+    return Text::tr("The alignment could not be solved; see the message above");
+  if (session.alignment().status() == AlignmentStatus::kCancelled)
+    return Text::tr("The alignment was stopped: F5 solves it again");
+  if (used == 0 && session.alignment().status() == AlignmentStatus::kSolving)
+    return Text::tr("Solving the alignment...");
+  if (used == 0) return Text::tr("No anchor is used: switch some on in the table, or place new ones");
+  if (used == 1) return Text::tr("Rotation unknown: add another anchor far away from the first");
   if (used == 2) return Text::tr("Rough alignment; add more anchors, best in rooms that have none yet");
   if (used == 3) return Text::tr("Add a fourth anchor, then each one is checked by the others");
   return Text::tr("Add anchors where the overlay is off; look at the worst one with N");

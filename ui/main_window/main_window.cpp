@@ -29,6 +29,7 @@
 #include <QInputDialog>
 #include <QLabel>
 #include <QMenu>
+#include <QPixmapCache>
 #include <QSettings>
 #include <QSplitter>
 #include <QStatusBar>
@@ -41,6 +42,8 @@ namespace cad2slam {
 using enum ActionId;
 
 namespace {
+
+constexpr int kPixmapCache_kB = 32 * 1024;
 
 /// A view under its heading.
 QWidget* titled(const QString& title, QWidget* extra, MapView* view) {
@@ -69,6 +72,8 @@ QWidget* titled(const QString& title, QWidget* extra, MapView* view) {
 }  // namespace
 
 MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent), actions_(new Actions(this)) {
+  // Names of hundreds of anchors on a fine screen; with less they would be drawn anew for every frame.
+  QPixmapCache::setCacheLimit(std::max(QPixmapCache::cacheLimit(), kPixmapCache_kB));
   layOut();
   connectFileActions();
   connectViewActions();
@@ -94,6 +99,10 @@ MainWindow::~MainWindow() {
 
 MapView& MainWindow::view(Side side) {
   return side == Side::kBlueprint ? *blueprint_view_ : *slam_view_;
+}
+
+MapView& MainWindow::activeView() {
+  return preview_->view().hasFocus() ? preview_->view() : views_->activeView();
 }
 
 void MainWindow::layOut() {
@@ -151,6 +160,7 @@ void MainWindow::layOut() {
   files_ = new ProjectFiles(session_, *messages_, *this, *menus.recent);
   exports_ = new Exports(session_, *messages_, *this);
   diagnosis_ = new DiagnosisMessages(session_, *views_, *messages_, this);
+  exports_->setFindings([this] { return diagnosis_->sentences(Severity::kWarning); });
   recovery_ = new Recovery(
       session_, *messages_, [this] { return files_->mayClose(); }, this);
   test_poses_ = new TestPoses(session_, this);
@@ -217,13 +227,13 @@ void MainWindow::connectFileActions() {
 
 void MainWindow::connectViewActions() {
   const auto on = [&](ActionId id, auto work) { connect((*actions_)[id], &QAction::triggered, this, work); };
-  on(kFit, [this] { views_->activeView().fit(); });
-  on(kActualSize, [this] { views_->activeView().showActualSize(); });
-  on(kZoomIn, [this] { views_->activeView().zoomBy(1.25); });
-  on(kZoomOut, [this] { views_->activeView().zoomBy(0.8); });
+  on(kFit, [this] { activeView().fit(); });
+  on(kActualSize, [this] { activeView().showActualSize(); });
+  on(kZoomIn, [this] { activeView().zoomBy(1.25); });
+  on(kZoomOut, [this] { activeView().zoomBy(0.8); });
   on(kRotateLeft, [this] { rotateActiveView(kPi / 12.0); });
   on(kRotateRight, [this] { rotateActiveView(-kPi / 12.0); });
-  on(kRotateReset, [this] { views_->activeView().setRotation(0.0); });
+  on(kRotateReset, [this] { activeView().setRotation(0.0); });
   on(kOtherFollows, [this] { views_->follow(views_->activeSide()); });
   on(kFollowOther, [this] { views_->follow(otherSide(views_->activeSide())); });
   on(kPreviewMode, [this] {
@@ -269,6 +279,7 @@ void MainWindow::connectViewActions() {
   toggle(kResiduals, true, [this](bool on_now) { views_->setResidualsVisible(on_now); });
   toggle(kExaggerate, false, [this](bool on_now) { views_->setMagnification(on_now ? 10.0 : 1.0); });
   toggle(kLink, false, [this](bool on_now) { views_->setLinked(on_now); });
+  connect(&preview_->view(), &MapView::cancelRequested, views_, &ViewPair::cancelOrDeselect);
   connect(blueprint_view_, &MapView::loupeChanged, (*actions_)[kLoupe], &QAction::setChecked);
   connect(slam_view_, &MapView::loupeChanged, (*actions_)[kLoupe], &QAction::setChecked);
 
@@ -331,7 +342,7 @@ void MainWindow::connectTestPoses() {
       view(side).setPoses(test_poses_->glyphs(side));
       view(side).setPaths(test_poses_->paths(side));
     }
-    if (test_poses_->isRobotVisible()) status_->setReadout(test_poses_->sentence());
+    refreshHint();
   };
   connect(test_poses_, &TestPoses::changed, this, show);
   connect(test_poses_, &TestPoses::planningFailed, this, [this](const QString& sentence) {
@@ -340,10 +351,8 @@ void MainWindow::connectTestPoses() {
   connect(views_, &ViewPair::poseDragged, test_poses_, &TestPoses::drag);
   connect(views_, &ViewPair::poseTurned, test_poses_, &TestPoses::turn);
   const auto middle = [this] { return blueprint_view_->viewState().center_m; };
-  connect((*actions_)[kTestPose], &QAction::toggled, this, [this, middle](bool on_now) {
-    if (!on_now) status_->setReadout({});
-    test_poses_->setRobotVisible(on_now, middle());
-  });
+  connect((*actions_)[kTestPose], &QAction::toggled, this,
+          [this, middle](bool on_now) { test_poses_->setRobotVisible(on_now, middle()); });
   connect((*actions_)[kPlanPath], &QAction::toggled, this, [this, middle](bool on_now) {
     if (on_now) (*actions_)[kTestPose]->setChecked(true);
     const QPointF aside(0.75 * blueprint_view_->width(), 0.5 * blueprint_view_->height());
@@ -366,8 +375,14 @@ void MainWindow::refreshActions() {
   (*actions_)[kExportAnchors]->setEnabled(!document.anchors().empty());
 }
 
+void MainWindow::refreshHint() {
+  // The read-out belongs to the cursor; where the robot is goes where the eye is while it is dragged.
+  const bool robot = test_poses_->isRobotVisible() && !session_.flow().half();
+  status_->setHint(robot ? test_poses_->sentence() : hintOf(session_));
+}
+
 void MainWindow::refreshStatus() {
-  status_->setHint(hintOf(session_));
+  refreshHint();
   const ChipState chip = chipOf(session_);
   status_->setChip(chip.text, chip.look);
   status_->chip()->setToolTip(chip.tooltip);
@@ -411,7 +426,7 @@ void MainWindow::showReadout(Side side, const QPointF& point_m, const QPointF& i
 }
 
 void MainWindow::rotateActiveView(double by_rad) {
-  MapView& view = views_->activeView();
+  MapView& view = activeView();
   view.setRotation(view.viewState().rotation_rad + by_rad);
 }
 
@@ -424,19 +439,19 @@ void MainWindow::goToNextPart() {
 }
 
 void MainWindow::storeViewState() {
+  if (!views_restored_) return;  // the images are not there yet: what was stored stays
   QJsonObject views = session_.document().viewState();
   for (const Side side : {Side::kBlueprint, Side::kSlam}) {
-    const QString key = side == Side::kBlueprint ? QStringLiteral("blueprint") : QStringLiteral("slam");
     const ViewState state = view(side).viewState();
-    if (!view(side).frame()) continue;  // its image is not there yet: what was stored stays
+    QJsonObject stored{{QStringLiteral("rotation_rad"), state.rotation_rad}};
     if (view(side).isFitted()) {
-      views.remove(key);  // the whole map, whatever the size of the window then
-      continue;
+      stored.insert(QStringLiteral("fitted"), true);  // in a window of any size
+    } else {
+      stored.insert(QStringLiteral("x_m"), state.center_m.x());
+      stored.insert(QStringLiteral("y_m"), state.center_m.y());
+      stored.insert(QStringLiteral("m_per_px"), state.m_per_px);
     }
-    views.insert(key, QJsonObject{{QStringLiteral("x_m"), state.center_m.x()},
-                                  {QStringLiteral("y_m"), state.center_m.y()},
-                                  {QStringLiteral("m_per_px"), state.m_per_px},
-                                  {QStringLiteral("rotation_rad"), state.rotation_rad}});
+    views.insert(side == Side::kBlueprint ? QStringLiteral("blueprint") : QStringLiteral("slam"), stored);
   }
   session_.document().setViewState(views);
 }
@@ -450,7 +465,12 @@ void MainWindow::restoreViewState() {
     state.center_m = {stored[u"x_m"].toDouble(), stored[u"y_m"].toDouble()};
     state.m_per_px = stored[u"m_per_px"].toDouble();
     state.rotation_rad = stored[u"rotation_rad"].toDouble();
-    if (state.m_per_px > 1e-6 && state.m_per_px < 1e6) view(side).setViewState(state);
+    if (stored[u"fitted"].toBool()) {
+      view(side).setRotation(state.rotation_rad);
+      view(side).fit();
+    } else if (state.m_per_px > 1e-6 && state.m_per_px < 1e6) {
+      view(side).setViewState(state);
+    }
   }
 }
 

@@ -62,6 +62,8 @@ class MainWindow : public QMainWindow {
   void connectTestPoses();
   void refreshTitle();
   void refreshActions();
+  [[nodiscard]] MapView& activeView();  ///< the one with the focus, the preview among them
+  void refreshHint();
   void refreshStatus();
   void refreshDropZones();
   void refreshTable();

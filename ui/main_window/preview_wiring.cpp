@@ -8,8 +8,8 @@
 #include <QEvent>
 
 #include "ui/convert.h"
-#include "ui/main_window/marker_class.h"
 #include "ui/main_window/mesh_overlay.h"
+#include "ui/panels/marker_class.h"
 
 namespace cad2slam {
 namespace {

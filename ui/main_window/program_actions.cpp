@@ -5,20 +5,24 @@
 #include "cad2slam/io/atomic_file.h"
 #include "ui/convert.h"
 #include "ui/dialogs/cheat_sheet.h"
+#include "ui/dialogs/save_path.h"
 #include "ui/dialogs/settings_dialog.h"
 #include "ui/document/project_commands.h"
 #include "ui/main_window/appearance.h"
+#include "ui/main_window/diagnosis_messages.h"
 #include "ui/main_window/main_window.h"
 #include "ui/main_window/report.h"
 #include "ui/main_window/tour.h"
 #include "ui/panels/message_bar.h"
 #include "ui/panels/preview_panel.h"
 #include "ui/tools/test_poses.h"
+#include "ui/views/map_view.h"
 
 #include <QCoreApplication>
 #include <QFileDialog>
 #include <QInputDialog>
 #include <QMessageBox>
+#include <QSettings>
 
 namespace cad2slam {
 namespace {
@@ -28,6 +32,17 @@ constexpr std::size_t kLargestPoseFile = std::size_t{64} << 20;
 struct Text {
   Q_DECLARE_TR_FUNCTIONS(ProgramActions)
 };
+
+/// All of it, whatever part is on the screen.
+QImage wholeMap(MapView& view) {
+  const ViewState before = view.viewState();
+  const bool was_fitted = view.isFitted();
+  const QSignalBlocker quiet(view);  // linked views stay where they are
+  view.fit();
+  const QImage picture = view.grab().toImage();
+  if (!was_fitted) view.setViewState(before);
+  return picture;
+}
 
 void askSettings(MainWindow& window) {
   ProjectDocument& document = window.session().document();
@@ -60,11 +75,9 @@ void connectProgramActions(MainWindow& window) {
     sheet.exec();
   });
   on(ActionId::kExportReport, [&window] {
-    QString path = QFileDialog::getSaveFileName(&window, Text::tr("Save report"), QStringLiteral("report.pdf"),
-                                                Text::tr("PDF (*.pdf)"));
-    if (path.isEmpty()) return;
-    if (!path.endsWith(QStringLiteral(".pdf"), Qt::CaseInsensitive)) path += QStringLiteral(".pdf");
-    saveReport(window, path);
+    const QString path = askSavePath(&window, Text::tr("Save report"), QStringLiteral("report.pdf"),
+                                     Text::tr("PDF (*.pdf)"), QStringLiteral(".pdf"));
+    if (!path.isEmpty()) saveReport(window, path);
   });
   on(ActionId::kTour, [&window] { startTour(window); });
   on(ActionId::kAbout, [&window] {
@@ -78,7 +91,16 @@ void connectProgramActions(MainWindow& window) {
   contrast->setChecked(readAppearance().theme == Theme::kHighContrast);
   on(ActionId::kHighContrast, [contrast] {
     Appearance appearance = readAppearance();
-    appearance.theme = contrast->isChecked() ? Theme::kHighContrast : Theme::kSystem;
+    QSettings settings;
+    const QString before = QStringLiteral("theme_before_high_contrast");
+    if (contrast->isChecked()) {
+      settings.setValue(before, static_cast<int>(appearance.theme));
+      appearance.theme = Theme::kHighContrast;
+    } else {
+      const int theme = settings.value(before, static_cast<int>(Theme::kSystem)).toInt();
+      const bool known = theme == static_cast<int>(Theme::kLight) || theme == static_cast<int>(Theme::kDark);
+      appearance.theme = known ? static_cast<Theme>(theme) : Theme::kSystem;
+    }
     writeAppearance(appearance);
     applyTheme(appearance.theme);
   });
@@ -87,10 +109,9 @@ void connectProgramActions(MainWindow& window) {
 bool saveReport(MainWindow& window, const QString& path) {
   ReportExtras extras;
   extras.pictures.push_back({Text::tr("Preview"), window.preview().view().grab().toImage()});
-  extras.pictures.push_back({Text::tr("Blueprint"), window.view(Side::kBlueprint).grab().toImage()});
-  extras.pictures.push_back({Text::tr("SLAM map"), window.view(Side::kSlam).grab().toImage()});
-  for (const Message& message : window.messages().messages())
-    if (message.id.startsWith(QStringLiteral("diagnosis-"))) extras.findings += message.text;
+  extras.pictures.push_back({Text::tr("Blueprint"), wholeMap(window.view(Side::kBlueprint))});
+  extras.pictures.push_back({Text::tr("SLAM map"), wholeMap(window.view(Side::kSlam))});
+  extras.findings = window.diagnosis().sentences(Severity::kNote);
   const QString id = QStringLiteral("report");
   if (const Result<void> written = writeReport(path, window.session(), extras); !written) {
     window.messages().show({id, Severity::kError, toQString(written.error().sentence()), {}, 0});

@@ -4,6 +4,7 @@
 
 #include "cad2slam/io/project_file.h"
 #include "ui/convert.h"
+#include "ui/dialogs/save_path.h"
 #include "ui/dialogs/scale_dialog.h"
 #include "ui/document/project_commands.h"
 #include "ui/panels/message_bar.h"
@@ -37,7 +38,7 @@ ProjectFiles::ProjectFiles(Session& session, MessageBar& messages, QWidget& wind
     : QObject(&window), session_(session), messages_(messages), window_(window), recent_menu_(recent_menu) {
   connect(&session_.rasters(), &RasterStore::problem, this, &ProjectFiles::showProblem);
   connect(&session_.rasters(), &RasterStore::warned, this, [this](const QString& sentence) {
-    messages_.show({QStringLiteral("raster-warning"), Severity::kNote, sentence, {}, 0});
+    messages_.show({QStringLiteral("image-note-%1").arg(qHash(sentence)), Severity::kNote, sentence, {}, 0});
   });
   connect(&recent_menu_, &QMenu::aboutToShow, this, &ProjectFiles::fillRecentMenu);
 }
@@ -160,11 +161,11 @@ bool ProjectFiles::askSave() {
 }
 
 bool ProjectFiles::askSaveAs() {
-  QString path = QFileDialog::getSaveFileName(&window_, tr("Save project"), folder() + QStringLiteral("/site.c2sproj"),
-                                              tr("Projects (*.c2sproj)"));
-  if (path.isEmpty()) return false;
-  if (!isProject(path)) path += QStringLiteral(".c2sproj");
-  return saveProjectTo(path);
+  const std::filesystem::path& now = session_.document().path();
+  const QString proposal = now.empty() ? folder() + QStringLiteral("/site.c2sproj") : toQString(now);
+  const QString path =
+      askSavePath(&window_, tr("Save project"), proposal, tr("Projects (*.c2sproj)"), QStringLiteral(".c2sproj"));
+  return !path.isEmpty() && saveProjectTo(path);
 }
 
 void ProjectFiles::askImage(Side side) {

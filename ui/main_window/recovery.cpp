@@ -54,8 +54,7 @@ bool Recovery::offer() {
 void Recovery::recover(const Recoverable& recoverable) {
   session_.document().reset(recoverable.project, toPath(recoverable.project_path), true);
   // The edits are now in this run's journal; until they are on disk there, the old one stays.
-  autosave_.flush();
-  Autosave::discard(recoverable);
+  if (autosave_.flush()) Autosave::discard(recoverable);
 }
 
 }  // namespace cad2slam

@@ -4,8 +4,8 @@
 
 #include "ui/convert.h"
 #include "ui/document/anchor_commands.h"
-#include "ui/main_window/marker_class.h"
 #include "ui/main_window/mesh_overlay.h"
+#include "ui/panels/marker_class.h"
 
 #include <QEvent>
 #include <QKeyEvent>
@@ -88,9 +88,7 @@ void ViewPair::connectView(Side side) {
   connect(&v, &MapView::nudged, this,
           [this, side](const QPointF& delta_m, int burst) { onNudged(side, delta_m, burst); });
   connect(&v, &MapView::acceptRequested, this, [this] { session_.flow().acceptPrediction(); });
-  connect(&v, &MapView::cancelRequested, this, [this] {
-    if (!session_.flow().cancel()) session_.selection().clear();
-  });
+  connect(&v, &MapView::cancelRequested, this, &ViewPair::cancelOrDeselect);
   connect(&v, &MapView::deleteRequested, this, &ViewPair::deleteRequested);
   connect(&v, &MapView::cursorMoved, this, [this, side](const QPointF& point_m, const QPointF& image_px) {
     emit cursorMoved(side, point_m, image_px);
@@ -104,7 +102,13 @@ void ViewPair::connectView(Side side) {
   });
   connect(&v, &MapView::viewStateChanged, this, [this, side] { link(side); });
   connect(&v, &MapView::loupeChanged, this, [this, side](bool on) { view(otherSide(side)).setLoupe(on); });
+  // Keys go to the view that has the focus, and that is not the one under the mouse after a first click.
+  connect(&v, &MapView::loupeHeld, this, [this, side](bool held) { view(otherSide(side)).setLoupeHeld(held); });
   connect(&v, &MapView::filesDropped, this, [this, side](const QStringList& paths) { emit filesDropped(side, paths); });
+}
+
+void ViewPair::cancelOrDeselect() {
+  if (!session_.flow().cancel()) session_.selection().clear();
 }
 
 bool ViewPair::eventFilter(QObject* watched, QEvent* event) {

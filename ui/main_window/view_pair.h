@@ -37,6 +37,9 @@ class ViewPair : public QObject {
   void setResidualsVisible(bool visible);
   void setMeshVisible(bool visible);
 
+  /// Esc: drops a half anchor, or else the selection.
+  void cancelOrDeselect();
+
  signals:
   void linkedChanged(bool linked);
   /// Cursor in a view, for the read-out; empty when it left.

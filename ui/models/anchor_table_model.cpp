@@ -199,6 +199,10 @@ QVariant AnchorTableModel::data(const QModelIndex& index, int role) const {
       return isCoordinate(column) ? numberText(coordinate(anchor, column), 4) : display(anchor, column);
     case kSortRole:
       return sortValue(anchor, column);
+    case kClassRole: {
+      const AnchorJudgement* judgement = judgementOf(anchor.id);
+      return judgement && anchor.enabled && !stale_ ? QVariant(static_cast<int>(judgement->judged)) : QVariant();
+    }
     case Qt::CheckStateRole:
       return column == kEnabled ? QVariant(anchor.enabled ? Qt::Checked : Qt::Unchecked) : QVariant();
     case Qt::TextAlignmentRole:

@@ -33,6 +33,7 @@ class AnchorTableModel : public QAbstractTableModel {
     kColumnCount,
   };
   static constexpr int kSortRole = Qt::UserRole;
+  static constexpr int kClassRole = Qt::UserRole + 1;  ///< AnchorClass as int, while it is known and current
 
   explicit AnchorTableModel(ProjectDocument& document, QObject* parent = nullptr);
 

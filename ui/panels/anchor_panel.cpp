@@ -58,6 +58,8 @@ AnchorPanel::AnchorPanel(ProjectDocument& document, AnchorSelection& selection, 
   const QFontMetrics metrics = table_->fontMetrics();
   table_->horizontalHeader()->setDefaultAlignment(Qt::AlignCenter | static_cast<Qt::Alignment>(Qt::TextWordWrap));
   table_->horizontalHeader()->setMinimumHeight(2 * metrics.height() + 8);
+  table_->setItemDelegate(new CellDelegate(table_));
+  table_->setItemDelegateForColumn(AnchorTableModel::kFlag, new FlagDelegate(table_));
   auto* delegate = new CoordinateDelegate(table_);
   for (int column = 0; column < AnchorTableModel::kColumnCount; ++column) {
     const QString header = model_.headerData(column, Qt::Horizontal, Qt::DisplayRole).toString();

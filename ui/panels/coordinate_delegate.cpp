@@ -2,7 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/panels/coordinate_delegate.h"
 
+#include "ui/models/anchor_table_model.h"
 #include "ui/models/number_text.h"
+#include "ui/panels/marker_class.h"
+#include "ui/views/marker_painter.h"
 
 #include <QLineEdit>
 #include <QToolTip>
@@ -11,6 +14,22 @@ namespace cad2slam {
 
 QValidator::State NumberValidator::validate(QString& text, int&) const {
   return parseNumber(text) ? Acceptable : Intermediate;  // never Invalid: typing is not blocked, leaving is
+}
+
+void CellDelegate::setEditorData(QWidget* editor, const QModelIndex& index) const {
+  const auto* line = qobject_cast<const QLineEdit*>(editor);
+  // The view also calls this whenever results of a solve change what the table shows.
+  if (line && (line->isModified() || line->text() == index.data(Qt::EditRole).toString())) return;
+  QStyledItemDelegate::setEditorData(editor, index);
+}
+
+void FlagDelegate::initStyleOption(QStyleOptionViewItem* option, const QModelIndex& index) const {
+  CellDelegate::initStyleOption(option, index);
+  const QVariant judged = index.data(AnchorTableModel::kClassRole);
+  if (!judged.isValid()) return;
+  const QColor color = colorOf(markerClass(static_cast<AnchorClass>(judged.toInt())));
+  const bool on_light = option->palette.color(QPalette::Base).lightness() > 128;
+  option->palette.setColor(QPalette::Text, on_light ? color.darker(145) : color.lighter(150));
 }
 
 QWidget* CoordinateDelegate::createEditor(QWidget* parent, const QStyleOptionViewItem&, const QModelIndex&) const {

@@ -48,6 +48,12 @@ void MessageBar::remove(const QString& id) {
 }
 
 void MessageBar::showGroup(const QString& prefix, std::vector<Message> messages) {
+  // What has gone away and comes back is news.
+  std::erase_if(dismissed_, [&](const QString& dismissal) {
+    return dismissal.startsWith(prefix) && std::none_of(messages.begin(), messages.end(), [&](const Message& message) {
+             return dismissalOf(message) == dismissal;
+           });
+  });
   std::erase_if(messages, [&](const Message& message) {
     return std::find(dismissed_.begin(), dismissed_.end(), dismissalOf(message)) != dismissed_.end();
   });

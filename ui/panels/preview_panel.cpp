@@ -7,6 +7,7 @@
 #include <QAbstractSpinBox>
 #include <QApplication>
 #include <QComboBox>
+#include <QDialog>
 #include <QHBoxLayout>
 #include <QKeyEvent>
 #include <QLabel>
@@ -46,6 +47,16 @@ bool isTyping(const QWidget* focused) {
   return qobject_cast<const QLineEdit*>(focused) != nullptr || qobject_cast<const QTextEdit*>(focused) != nullptr ||
          qobject_cast<const QPlainTextEdit*>(focused) != nullptr ||
          qobject_cast<const QAbstractSpinBox*>(focused) != nullptr;
+}
+
+/// Docks that float are windows of their own; dialogs are left alone.
+bool isSameProgramWindow(const QWidget* a, const QWidget* b) {
+  if (qobject_cast<const QDialog*>(a->window())) return false;
+  const auto root = [](const QWidget* widget) {
+    while (widget->parentWidget()) widget = widget->parentWidget();
+    return widget;
+  };
+  return root(a) == root(b);
 }
 
 }  // namespace
@@ -153,7 +164,7 @@ bool PreviewPanel::eventFilter(QObject* watched, QEvent* event) {
     const auto* key = static_cast<QKeyEvent*>(event);
     const bool is_b = key->key() == Qt::Key_B && key->modifiers() == Qt::NoModifier;
     const auto* widget = static_cast<QWidget*>(watched);
-    if (is_b && view_->isVisible() && widget->window() == window() && !isTyping(widget)) {
+    if (is_b && view_->isVisible() && isSameProgramWindow(widget, this) && !isTyping(widget)) {
       if (!key->isAutoRepeat()) view_->setBlinkHeld(press);
       return true;
     }

@@ -80,6 +80,11 @@ void Autosave::write() {
       });
 }
 
+bool Autosave::flush() {
+  lane_.waitForDone();
+  return newest_ > 0 && QFileInfo::exists(versionFile(folder_, newest_));
+}
+
 void Autosave::tell(const Result<void>& outcome) {
   if (outcome) {
     failure_told_ = false;

@@ -45,8 +45,8 @@ class Autosave : public QObject {
 
   /// Removes the journal of this run: there is nothing to recover any more.
   void clear();
-  /// Waits until everything asked for so far is on disk.
-  void flush() { lane_.waitForDone(); }
+  /// Waits until everything asked for so far is on disk; false where it could not be written.
+  bool flush();
   [[nodiscard]] const QString& folder() const { return folder_; }
 
  signals:

@@ -32,11 +32,15 @@ bool GroundProbe::isOf(const std::shared_ptr<TileStore>& store, const MapFrame& 
 }
 
 Ground GroundProbe::at(const Eigen::Vector2d& point_m) {
-  if (!point_m.allFinite() || !frame_.contains(point_m)) return Ground::kOutsideImage;
+  if (!point_m.allFinite()) return Ground::kOutsideImage;
+  const Eigen::Vector2d pixel = frame_.pixelFromMetric(point_m);
+  // A corner of the plan may lie on the very edge of its image.
+  if (pixel.minCoeff() < -1.0 || pixel.x() > frame_.width() + 1.0 || pixel.y() > frame_.height() + 1.0)
+    return Ground::kOutsideImage;
+  if (store_->hadTransparency()) return Ground::kKnown;  // map_server takes it for unknown, the picture shows white
   const auto before = known_.find({point_m.x(), point_m.y()});
   if (before != known_.end()) return before->second;
 
-  const Eigen::Vector2d pixel = frame_.pixelFromMetric(point_m);
   const int reach =
       static_cast<int>(std::lround(std::clamp(kReach_m / frame_.resolution(), kLeastReach_px, kMostReach_px)));
   const cv::Rect around(static_cast<int>(pixel.x()) - reach, static_cast<int>(pixel.y()) - reach, 2 * reach + 1,

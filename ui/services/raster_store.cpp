@@ -87,6 +87,12 @@ void RasterStore::load(Side side, const ProjectRaster& raster, const std::string
   const int ticket = slot.ticket;
   emit changed(side, true);
   slot.picture = TilePyramid::load(raster.metadata.image, raster.metadata.mirrored);
+  connect(slot.picture.get(), &TilePyramid::failed, this, [this, side, ticket, raster, map](const QString& sentence) {
+    if (at(side).ticket != ticket) return;  // of another image by now, or already told
+    at(side).clear();
+    emit problem({RasterProblem::Kind::kUnreadable, side, map, raster.metadata.image, sentence, 0, {}});
+    emit changed(side, true);
+  });
   auto* watcher = new QFutureWatcher<Answer>(this);
   connect(watcher, &QFutureWatcher<Answer>::finished, this, [this, watcher, side, ticket, raster, map] {
     watcher->deleteLater();
@@ -139,6 +145,8 @@ void RasterStore::take(Side side, int ticket, const ProjectRaster& raster, const
   slot.wanted = raster.metadata;
   slot.frame = *answer.frame;
   slot.grid = answer.grid;
+  slot.image_sha256 = answer.described.image_sha256.empty() ? raster.image_sha256 : answer.described.image_sha256;
+  slot.image_changed = answer.state == RasterState::kChanged;
   if (!sameFrame(wanted, raster.metadata)) reframe(side, wanted);
   if (!answer.described.image_sha256.empty())
     document_.describeRasters(map, side == Side::kBlueprint ? answer.described : ProjectRaster{},

@@ -42,6 +42,9 @@ class RasterStore : public QObject {
   [[nodiscard]] const std::optional<MapFrame>& frame(Side side) const { return at(side).frame; }
   [[nodiscard]] const std::shared_ptr<TilePyramid>& picture(Side side) const { return at(side).picture; }
   [[nodiscard]] const std::shared_ptr<const OccupancyGrid>& grid(Side side) const { return at(side).grid; }
+  /// SHA-256 of the image that is shown, which need not be the one the project was made with.
+  [[nodiscard]] const std::string& imageHash(Side side) const { return at(side).image_sha256; }
+  [[nodiscard]] bool isImageChanged(Side side) const { return at(side).image_changed; }
   [[nodiscard]] bool isLoading() const { return slots_[0].loading || slots_[1].loading; }
 
  signals:
@@ -56,6 +59,8 @@ class RasterStore : public QObject {
     std::optional<MapFrame> frame;
     std::shared_ptr<TilePyramid> picture;
     std::shared_ptr<const OccupancyGrid> grid;
+    std::string image_sha256;
+    bool image_changed = false;
     bool loading = false;
     int ticket = 0;  // of the newest request; answers to older ones are dropped
 

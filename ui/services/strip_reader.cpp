@@ -45,6 +45,7 @@ class PngReader : public StripReader {
   }
 
   [[nodiscard]] cv::Size size() const override { return size_; }
+  [[nodiscard]] bool hasAlpha() const override { return has_alpha_; }
 
   [[nodiscard]] Result<cv::Mat> read(int rows) override {
     const int count = std::min(rows, size_.height - next_row_);
@@ -68,11 +69,11 @@ class PngReader : public StripReader {
     png_read_info(png_, info_);
     if (png_get_interlace_type(png_, info_) != PNG_INTERLACE_NONE) return false;
     const png_byte type = png_get_color_type(png_, info_);
-    const bool has_alpha = (type & PNG_COLOR_MASK_ALPHA) != 0 || png_get_valid(png_, info_, PNG_INFO_tRNS) != 0;
+    has_alpha_ = (type & PNG_COLOR_MASK_ALPHA) != 0 || png_get_valid(png_, info_, PNG_INFO_tRNS) != 0;
     grey_ = (type & PNG_COLOR_MASK_COLOR) == 0;
     png_set_expand(png_);
     png_set_scale_16(png_);
-    if (has_alpha) {
+    if (has_alpha_) {
       png_color_16 white = {};
       white.red = white.green = white.blue = white.gray = 255;
       png_set_background(png_, &white, PNG_BACKGROUND_GAMMA_SCREEN, 0, 1.0);
@@ -108,6 +109,7 @@ class PngReader : public StripReader {
   std::string message_;
   cv::Size size_;
   bool grey_ = false;
+  bool has_alpha_ = false;
   int next_row_ = 0;
   std::vector<png_bytep> row_pointers_;
 };
@@ -118,6 +120,7 @@ class WholePicture : public StripReader {
   explicit WholePicture(cv::Mat picture) : picture_(std::move(picture)) {}
 
   [[nodiscard]] cv::Size size() const override { return picture_.size(); }
+  [[nodiscard]] bool hasAlpha() const override { return picture_.channels() == 4; }
 
   [[nodiscard]] Result<cv::Mat> read(int rows) override {
     const int count = std::min(rows, picture_.rows - next_row_);

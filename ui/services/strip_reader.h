@@ -19,6 +19,8 @@ class StripReader {
   virtual ~StripReader() = default;
 
   [[nodiscard]] virtual cv::Size size() const = 0;
+  /// Whether the file can have transparent pixels.
+  [[nodiscard]] virtual bool hasAlpha() const = 0;
   /// The next rows, at most `rows`, as CV_8UC4 in the order of QImage::Format_RGB32, or as CV_8UC1 when the file holds
   /// no colour by its type. Empty at the end.
   [[nodiscard]] virtual Result<cv::Mat> read(int rows) = 0;

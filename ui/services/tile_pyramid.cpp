@@ -103,6 +103,7 @@ TilePyramid::Cut TilePyramid::cut(const std::filesystem::path& image, bool mirro
   if (!reader) return failWith(reader.error());
   const QSize size((*reader)->size().width, (*reader)->size().height);
   auto store = std::make_shared<TileStore>(size, PyramidBuilder::levelCount(size), channels);
+  if ((*reader)->hasAlpha()) store->noteTransparency();
   PyramidBuilder builder(store);
   bool announced = false;
   int last_percent = 0;

@@ -45,6 +45,9 @@ class TileStore {
   /// A piece of a level, clipped to it; pixels of tiles that are not there yet get `missing`. Empty outside the level.
   [[nodiscard]] cv::Mat region(int level, const cv::Rect& rect, int missing, bool* complete = nullptr);
 
+  /// Whether the image can have transparent pixels, which its tiles show over white. Noted before others see the store.
+  void noteTransparency() { transparent_ = true; }
+  [[nodiscard]] bool hadTransparency() const { return transparent_; }
   [[nodiscard]] std::size_t packedBytes() const;
   [[nodiscard]] std::size_t unpackedBytes() const;
   [[nodiscard]] std::size_t spilledBytes() const;
@@ -81,6 +84,7 @@ class TileStore {
   std::size_t unpacked_bytes_ = 0;
   std::unique_ptr<QTemporaryFile> spill_;
   std::int64_t spill_end_ = 0;
+  bool transparent_ = false;
 };
 
 }  // namespace cad2slam

@@ -140,10 +140,14 @@ void TestPoses::plan() {
 std::size_t TestPoses::loadPoses(const QByteArray& text, Side side) {
   loaded_.clear();
   loaded_side_ = side;
-  static const QRegularExpression kSeparator(QStringLiteral("[,;\\t ]+"));
+  // Where there are semicolons or tabs, a comma is a decimal comma.
+  static const QRegularExpression kSeparator(QStringLiteral("[,\\t ]+"));
+  static const QRegularExpression kSeparatorBesideComma(QStringLiteral("[;\\t ]+"));
+  const bool decimal_commas = text.contains(';');
   for (const QByteArray& line : text.split('\n')) {
     if (loaded_.size() >= kLargestPoseCount) break;
-    const QStringList fields = QString::fromUtf8(line).trimmed().split(kSeparator, Qt::SkipEmptyParts);
+    const QStringList fields = QString::fromUtf8(line).trimmed().split(
+        decimal_commas ? kSeparatorBesideComma : kSeparator, Qt::SkipEmptyParts);
     if (fields.size() < 2) continue;
     const std::optional<double> x = parseNumber(fields[0]);
     const std::optional<double> y = parseNumber(fields[1]);

@@ -8,7 +8,7 @@
 namespace cad2slam {
 namespace {
 
-constexpr double kCell_px = 3.0;
+constexpr double kCell_px = 40.0;
 constexpr double kBeyond_px = 120.0;  // texts of markers just outside of the view count as well
 
 /// Beside a marker: -1, 0 or 1 to the right of its middle and below it.
@@ -32,32 +32,31 @@ QRectF areaAt(const QPointF& at, double reach, const QSizeF& text, const Corner&
 LabelLayout::LabelLayout(const QSizeF& view)
     : columns_(static_cast<int>((view.width() + 2.0 * kBeyond_px) / kCell_px) + 1),
       rows_(static_cast<int>((view.height() + 2.0 * kBeyond_px) / kCell_px) + 1),
-      taken_(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_), 0) {}
+      cells_(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_)) {}
 
-LabelLayout::Cells LabelLayout::cellsOf(const QRectF& area) const {
+template <class Visit>
+void LabelLayout::forEachCell(const QRectF& area, const Visit& visit) const {
   const auto cell = [](double px, int count) {
     return static_cast<int>(std::clamp(std::floor((px + kBeyond_px) / kCell_px), 0.0, count - 1.0));
   };
-  return {cell(area.left(), columns_), cell(area.top(), rows_), cell(area.right(), columns_),
-          cell(area.bottom(), rows_)};
+  for (int row = cell(area.top(), rows_); row <= cell(area.bottom(), rows_); ++row)
+    for (int column = cell(area.left(), columns_); column <= cell(area.right(), columns_); ++column)
+      visit(static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(column));
 }
 
 void LabelLayout::occupy(const QRectF& area) {
-  const Cells cells = cellsOf(area);
-  for (int row = cells.top; row <= cells.bottom; ++row) {
-    const auto begin = taken_.begin() + static_cast<std::ptrdiff_t>(row) * columns_;
-    std::fill(begin + cells.left, begin + cells.right + 1, std::uint8_t{1});
-  }
+  const auto number = static_cast<std::uint32_t>(taken_.size());
+  taken_.push_back(area);
+  forEachCell(area, [&](std::size_t cell) { cells_[cell].push_back(number); });
 }
 
 bool LabelLayout::isFree(const QRectF& area) const {
-  const Cells cells = cellsOf(area);
-  for (int row = cells.top; row <= cells.bottom; ++row) {
-    const auto begin = taken_.begin() + static_cast<std::ptrdiff_t>(row) * columns_;
-    if (std::any_of(begin + cells.left, begin + cells.right + 1, [](std::uint8_t taken) { return taken != 0; }))
-      return false;
-  }
-  return true;
+  bool free = true;
+  forEachCell(area, [&](std::size_t cell) {
+    free = free && std::none_of(cells_[cell].begin(), cells_[cell].end(),
+                                [&](std::uint32_t number) { return taken_[number].intersects(area); });
+  });
+  return free;
 }
 
 std::optional<QRectF> LabelLayout::place(const QPointF& at, double reach, const QSizeF& text) {

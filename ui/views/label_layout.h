@@ -29,15 +29,14 @@ class LabelLayout {
   QRectF placeAnyway(const QPointF& at, double reach, const QSizeF& text);
 
  private:
-  struct Cells {
-    int left, top, right, bottom;  // inclusive
-  };
-  [[nodiscard]] Cells cellsOf(const QRectF& area) const;
   [[nodiscard]] bool isFree(const QRectF& area) const;
+  template <class Visit>
+  void forEachCell(const QRectF& area, const Visit& visit) const;
 
   int columns_;
   int rows_;
-  std::vector<std::uint8_t> taken_;  // row by row
+  std::vector<QRectF> taken_;
+  std::vector<std::vector<std::uint32_t>> cells_;  // row by row, what of taken_ reaches into each
 };
 
 }  // namespace cad2slam

@@ -54,7 +54,8 @@ std::optional<MapView::Hit> MapView::hitAt(const QPointF& widget_px) const {
       if (distance <= kHandleReach_px) consider(distance, {pose.id, pose.point_m, true, true});
     }
     const double outside = lengthOf(widget_px - at) - MarkerPainter::poseRadius(radius_px);
-    if (outside <= 0.0) consider(lengthOf(widget_px - at), {pose.id, pose.point_m, true, false});
+    if (outside <= 0.0)
+      consider(std::min(lengthOf(widget_px - at), kMarkerReach_px), {pose.id, pose.point_m, true, false});
   }
   if (markers_visible_) {
     for (const Marker& marker : markers_) {

@@ -210,9 +210,9 @@ double MarkerPainter::labelReach(const Marker& marker, MarkerSize size) {
 }
 
 QSizeF MarkerPainter::textSize(const QPainter& painter, const Marker& marker) {
-  if (marker.text.isEmpty()) return {0.0, 0.0};
-  return words(painter, marker.text, colorOf(marker.judged)).deviceIndependentSize() -
-         2.0 * QSizeF(kTextEdge_px, kTextEdge_px);
+  useFont(painter.font());
+  const QFontMetricsF metrics(bold_);  // no sprite: where there is no room for the text, none is needed
+  return {metrics.horizontalAdvance(marker.text), metrics.height()};
 }
 
 void MarkerPainter::paintLabel(QPainter& painter, const Marker& marker, const QRectF& area) {

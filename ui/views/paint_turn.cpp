@@ -5,6 +5,7 @@
 #include <QBackingStore>
 #include <QCoreApplication>
 #include <QElapsedTimer>
+#include <QGuiApplication>
 #include <QPaintEngine>
 
 namespace cad2slam {
@@ -19,6 +20,13 @@ QElapsedTimer& sinceFirstView() {
   return timer;
 }
 
+/// Whether what a view does not paint stays as it is. A Wayland client draws into changing buffers.
+bool keepsPixels() {
+  static const bool kept = QGuiApplication::platformName() == QStringLiteral("xcb") ||
+                           QGuiApplication::platformName() == QStringLiteral("offscreen");
+  return kept;
+}
+
 }  // namespace
 
 bool PaintTurn::take(const QPainter& painter) {
@@ -26,21 +34,22 @@ bool PaintTurn::take(const QPainter& painter) {
   const bool on_screen =
       screen && painter.paintEngine() &&
       painter.paintEngine()->paintDevice() == const_cast<QBackingStore*>(screen)->paintDevice();  // has no const twin
-  if (!on_screen) return true;
+  if (!on_screen || !keepsPixels()) return true;
 
-  const QRect place(view_.mapTo(view_.window(), QPoint()), view_.size());
+  const Ground ground{QRect(view_.mapTo(view_.window(), QPoint()), view_.size()), view_.window()->size(),
+                      view_.devicePixelRatioF()};
   QElapsedTimer& turn = sinceFirstView();
   if (!turn.isValid()) {
     turn.start();
     QMetaObject::invokeMethod(
         QCoreApplication::instance(), [] { sinceFirstView().invalidate(); }, Qt::QueuedConnection);
-  } else if (turn.elapsed() >= kEnough_ms && waited_ < kLongestWait && painted_ == place) {
+  } else if (turn.elapsed() >= kEnough_ms && waited_ < kLongestWait && painted_ == ground) {
     ++waited_;
     QMetaObject::invokeMethod(&view_, qOverload<>(&QWidget::update), Qt::QueuedConnection);
     return false;
   }
   waited_ = 0;
-  painted_ = place;
+  painted_ = ground;
   return true;
 }
 

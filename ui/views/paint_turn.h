@@ -24,7 +24,14 @@ class PaintTurn {
 
  private:
   QWidget& view_;
-  QRect painted_;  // in the window, when last painted
+  /// Where old pixels lie and of what screen they are: they are of use as long as all of it is the same.
+  struct Ground {
+    QRect place;  // in the window
+    QSize window;
+    double device_ratio = 0.0;
+    friend bool operator==(const Ground&, const Ground&) = default;
+  };
+  Ground painted_;
   int waited_ = 0;
 };
 

@@ -34,6 +34,7 @@ bool isHeat(PreviewMode mode) {
 
 PreviewView::PreviewView(QWidget* parent) : MapView(parent) {
   setAccessibleName(tr("Preview"));
+  setAcceptDrops(false);  // files belong into one of the maps
   setSnapping(false);
   setMapFirst(true);
   setMagnificationNote(false);  // the legend tells it
@@ -139,10 +140,13 @@ void PreviewView::paintPicture(QPainter& painter, double opacity) {
   const QTransform moved = then.inverted() * now;
   // A picture of lower resolution stands in until the sharp one is there: smooth it.
   const bool exact = moved.type() <= QTransform::TxTranslate && ratio >= devicePixelRatioF() * 0.99;
-  const double band = exact ? height() : kBandRows_px / devicePixelRatioF();
-  for (double y = 0.0; y < height(); y += band) {
+  const double band = exact ? height() + 1.0 : kBandRows_px / devicePixelRatioF();
+  // Edges a little off whole device rows: whatever the view's place on a screen of 150 %, no edge is a tie in rounding.
+  const double off = -0.29 / devicePixelRatioF();
+  for (int i = 0; off + i * band < height(); ++i) {
     painter.save();
-    painter.setClipRect(QRectF(0.0, y, width(), band), Qt::IntersectClip);
+    painter.setClipRect(QRectF(QPointF(0.0, off + i * band), QPointF(width(), off + (i + 1) * band)),
+                        Qt::IntersectClip);
     painter.setOpacity(opacity);
     painter.setRenderHint(QPainter::SmoothPixmapTransform, !exact);
     painter.setTransform(moved, true);

@@ -27,6 +27,8 @@ struct PendingAnchor {
   bool in_blueprint = true;  ///< which frame the point is in
   double x_m = 0.0;
   double y_m = 0.0;
+
+  friend bool operator==(const PendingAnchor&, const PendingAnchor&) = default;
 };
 
 /// One robot's SLAM map with its own anchors.

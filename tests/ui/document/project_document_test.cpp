@@ -261,6 +261,55 @@ class ProjectDocumentTest : public QObject {
     QVERIFY(document_.anchor(1)->name.empty());
   }
 
+  void lockedAnchorsStayWhoeverAsks() {
+    addThree();
+    document_.setLocked(true);
+    const AnchorList before = document_.anchors();
+    QSignalSpy refused(&document_, &ProjectDocument::editRefused);
+    const int steps = document_.undoStack().count();
+    edit::addAnchor(document_, {1.0, 2.0}, {3.0, 4.0});
+    edit::addAnchors(document_, {Anchor{.id = 17}}, QStringLiteral("import"));
+    edit::moveAnchor(document_, 1, Side::kSlam, {9.0, 9.0}, document_.newGesture());
+    edit::setEnabled(document_, {1}, false);
+    edit::swapCounterparts(document_, 1, 2);
+    edit::deleteAnchors(document_, {1, 2});
+    edit::rescaleBlueprint(document_, 2.0);
+    edit::removeSlamMap(document_, document_.currentMapName());
+    QCOMPARE(document_.undoStack().count(), steps);
+    QCOMPARE(refused.size(), 8);
+    QCOMPARE(document_.anchors().size(), before.size());
+    for (std::size_t i = 0; i < before.size(); ++i) QVERIFY(document_.anchors()[i].in_slam == before[i].in_slam);
+  }
+
+  void aHalfAnchorStaysUnlessItsGroundMoves() {
+    addThree();
+    const PendingAnchor half{false, 1.0, 2.0};
+    document_.setPending(half);
+    QVERIFY(edit::renameSlamMap(document_, document_.currentMapName(), "cleaner"));
+    QVERIFY(document_.pending() == half);
+    edit::addSlamMap(document_, "robot 2", {});
+    document_.setCurrentMap("cleaner");
+    QVERIFY(document_.pending() == half);
+    edit::rescaleBlueprint(document_, 2.0);
+    QVERIFY(document_.pending() == half);  // it is in the SLAM map
+    document_.setPending(PendingAnchor{true, 1.0, 2.0});
+    edit::rescaleBlueprint(document_, 2.0);
+    QVERIFY(!document_.pending());
+  }
+
+  void nothingIsModifiedWhereNothingDiffersFromWhatIsSaved() {
+    addThree();
+    document_.markSaved("/nowhere/site.c2sproj");
+    document_.setPending(PendingAnchor{});
+    QVERIFY(document_.isModified());
+    document_.setPending(std::nullopt);
+    QVERIFY(!document_.isModified());
+    document_.setLocked(true);
+    QVERIFY(document_.isModified());
+    document_.setLocked(false);
+    QVERIFY(!document_.isModified());
+  }
+
   void revisionCountsOnlyWhatASolveDependsOn() {
     addThree();
     const auto revision = document_.revision();
@@ -269,6 +318,7 @@ class ProjectDocumentTest : public QObject {
     document_.setPending(PendingAnchor{});
     document_.setLocked(true);
     QCOMPARE(document_.revision(), revision);
+    document_.setLocked(false);
     edit::setEnabled(document_, {1}, false);
     QVERIFY(document_.revision() > revision);
   }

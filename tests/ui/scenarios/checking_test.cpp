@@ -3,12 +3,16 @@
 #include "ui/document/project_commands.h"
 #include "ui/document/room_map.h"
 #include "ui/panels/anchor_panel.h"
+#include "ui/panels/preview_panel.h"
 #include "ui/support/documents.h"
 #include "ui/support/office_window.h"
 #include "ui/tools/test_poses.h"
 
+#include <QLabel>
 #include <QLineEdit>
+#include <QMouseEvent>
 #include <QTableView>
+#include <QToolButton>
 
 #include <Eigen/Geometry>
 
@@ -36,6 +40,13 @@ class CheckingTest : public QObject {
             ->metricFromPixel({0.5 * office.session().rasters().frame(Side::kSlam)->width(),
                                0.5 * office.session().rasters().frame(Side::kSlam)->height()});
     return there + Eigen::Rotation2Dd(168.0 * kPi / 180.0) * (office.pairs[at].in_blueprint - middle);
+  }
+
+  /// As if the mouse were there; windows that other tests leave behind cannot take the event.
+  static void hover(MapView& view) {
+    const QPointF at(150.0, 150.0);
+    QMouseEvent move(QEvent::MouseMove, at, view.mapToGlobal(at), Qt::NoButton, Qt::NoButton, Qt::NoModifier);
+    QCoreApplication::sendEvent(&view, &move);
   }
 
  private slots:
@@ -276,6 +287,115 @@ class CheckingTest : public QObject {
     QCOMPARE(
         office.document().anchor(table.model()->index(0, AnchorTableModel::kNumber).data().toLongLong())->in_slam.x(),
         -7.5);
+  }
+
+  void scenario14_aSolveLeavesWhatIsBeingTypedAlone() {
+    OfficeWindow office;
+    office.addExact(6);
+    QVERIFY(office.waitUntilSolved());
+    QTableView& table = *office.window.anchorPanel().table();
+    for (const int column : {int(AnchorTableModel::kSlamY), int(AnchorTableModel::kNote)}) {
+      const QModelIndex cell = table.model()->index(0, column);
+      table.setFocus();
+      table.setCurrentIndex(cell);
+      table.edit(cell);
+      auto* editor = table.viewport()->findChild<QLineEdit*>();
+      QVERIFY(editor);
+      editor->selectAll();
+      QTest::keyClicks(editor, QStringLiteral("4.25"));
+      edit::moveAnchor(office.document(), 5, Side::kSlam,
+                       office.document().anchor(5)->in_slam + Eigen::Vector2d(0.01, 0.0),
+                       office.document().newGesture());
+      QVERIFY(office.waitUntilSolved());
+      QCOMPARE(editor->text(), QStringLiteral("4.25"));
+      QTest::keyClick(editor, Qt::Key_Return);
+      QTRY_VERIFY(!table.viewport()->findChild<QLineEdit*>());
+    }
+    QCOMPARE(office.document().anchor(1)->in_slam.y(), 4.25);
+    QCOMPARE(office.document().anchor(1)->note, std::string("4.25"));
+  }
+
+  void theUndoOfAToastUndoesItsOwnStepOnly() {
+    OfficeWindow office;
+    office.addExact(6);
+    office.session().selection().set({2});
+    office.window.actionTable()[ActionId::kDelete]->trigger();
+    edit::rename(office.document(), 3, "pillar");
+    QVERIFY(office.pressCure(QStringLiteral("toast"), QStringLiteral("Undo")));
+    QCOMPARE(office.document().anchor(3)->name, std::string("pillar"));
+    QVERIFY(!office.hasMessage(QStringLiteral("toast")));
+    office.session().selection().set({4});
+    office.window.actionTable()[ActionId::kDelete]->trigger();
+    QVERIFY(!office.document().anchor(4));
+    QVERIFY(office.pressCure(QStringLiteral("toast"), QStringLiteral("Undo")));
+    QVERIFY(office.document().anchor(4));
+  }
+
+  void aClosedWarningComesBackWithItsReason() {
+    MessageBar bar;
+    const Message line{QStringLiteral("diagnosis-8"), Severity::kWarning, QStringLiteral("all on one line"), {}, 0};
+    const QString group = QStringLiteral("diagnosis-");
+    bar.showGroup(group, {line});
+    auto* close = bar.findChild<QToolButton*>();
+    QVERIFY(close);
+    close->click();
+    QVERIFY(bar.messages().empty());
+    bar.showGroup(group, {line});
+    QVERIFY(bar.messages().empty());  // still the same: it stays closed
+    bar.showGroup(group, {});
+    bar.showGroup(group, {line});
+    QCOMPARE(bar.messages().size(), std::size_t(1));
+  }
+
+  void posesAreReadWithPointsAndCommas_data() {
+    QTest::addColumn<QByteArray>("text");
+    QTest::newRow("commas") << QByteArray("x,y,heading\n12.34,5.67,1.5\n");
+    QTest::newRow("semicolons") << QByteArray("12.34;5.67;1.5");
+    QTest::newRow("decimal commas") << QByteArray("x;y\r\n12,34; 5,67; 1,5\r\n");
+    QTest::newRow("tabs") << QByteArray("12.34\t5.67\t1.5\n");
+  }
+  void posesAreReadWithPointsAndCommas() {
+    QFETCH(QByteArray, text);
+    OfficeWindow office;
+    QCOMPARE(office.window.testPoses().loadPoses(text, Side::kBlueprint), std::size_t(1));
+    const PoseGlyph glyph = office.window.testPoses().glyphs(Side::kBlueprint).at(0);
+    QCOMPARE(glyph.point_m, QPointF(12.34, 5.67));
+    QCOMPARE(glyph.heading_rad, 1.5);
+  }
+
+  void scenario18_theRoundTripIsSeenWhileTheMouseMoves() {
+    OfficeWindow office;
+    office.addExact(8);
+    QVERIFY(office.waitUntilSolved());
+    office.window.actionTable()[ActionId::kTestPose]->setChecked(true);
+    MapView& view = office.window.view(Side::kBlueprint);
+    hover(view);
+    const auto* hint = office.window.findChild<QLabel*>(QStringLiteral("hint"));
+    QVERIFY(hint);
+    QCOMPARE(hint->text(), office.window.testPoses().sentence());
+    office.window.actionTable()[ActionId::kTestPose]->setChecked(false);
+    QVERIFY(hint->text() != office.window.testPoses().sentence());
+  }
+
+  void zMagnifiesInTheViewUnderTheMouseWhicheverHasTheFocus() {
+    OfficeWindow office;
+    MapView& blueprint = office.window.view(Side::kBlueprint);
+    MapView& slam = office.window.view(Side::kSlam);
+    blueprint.setFocus();
+    hover(slam);
+    const QImage before = slam.grab().toImage();
+    QTest::keyPress(&blueprint, Qt::Key_Z);
+    QVERIFY(slam.grab().toImage() != before);
+    QTest::keyRelease(&blueprint, Qt::Key_Z);
+    QCOMPARE(slam.grab().toImage(), before);
+  }
+
+  void escInThePreviewDropsAHalfAnchor() {
+    OfficeWindow office;
+    office.click(Side::kBlueprint, toQPointF(office.pairs[0].in_blueprint));
+    QVERIFY(office.document().pending());
+    QTest::keyClick(&office.window.preview().view(), Qt::Key_Escape);
+    QVERIFY(!office.document().pending());
   }
 
   void scenario18_testPoseThereAndBack_data() {

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The CAD2SLAM authors
 // SPDX-License-Identifier: Apache-2.0
 #include "cad2slam/io/projector_file.h"
+#include "cad2slam/io/sha256.h"
 #include "ui/document/project_commands.h"
 #include "ui/main_window/exports.h"
 #include "ui/main_window/program_actions.h"
@@ -15,6 +16,7 @@
 #include <QPushButton>
 #include <QTimer>
 
+#include <algorithm>
 #include <csignal>
 
 #include <sys/resource.h>
@@ -250,6 +252,25 @@ class FilesTest : public QObject {
       QVERIFY(office.waitUntilSolved());
       QVERIFY(!office.hasMessage(QStringLiteral("image-1")));
     }
+    QVERIFY(QFile::rename(there + QStringLiteral("/renamed.png"), there + QStringLiteral("/slam_1.png")));
+    // Another picture of the same size: an export says so, and names the picture that was solved on.
+    const QString picture = there + QStringLiteral("/blueprint.png");
+    QImage changed(picture);
+    changed.setPixel(0, 0, changed.pixel(0, 0) == qRgb(255, 255, 255) ? qRgb(0, 0, 0) : qRgb(255, 255, 255));
+    QVERIFY(changed.save(picture));
+    {
+      OfficeWindow office(false);
+      const QString projector = sandbox_->path(QStringLiteral("changed.c2s"));
+      QVERIFY(office.openSolved(there + QStringLiteral("/site.c2sproj")));
+      const auto checks = exportChecks(office.session());
+      QVERIFY(std::any_of(checks.begin(), checks.end(), [](const ExportCheck& check) {
+        return check.verdict == ExportCheck::Verdict::kWarning &&
+               check.sentence.contains(QStringLiteral("not the image"));
+      }));
+      QVERIFY(office.window.exports().exportProjector(projector));
+      QCOMPARE(readProjectorFile(toPath(projector)).value().info.blueprint.image_sha256,
+               sha256HexOfFile(toPath(picture)).value());
+    }
     QVERIFY(QFile::remove(there + QStringLiteral("/blueprint.png")));
     QVERIFY(QImage(50, 40, QImage::Format_Grayscale8).save(there + QStringLiteral("/blueprint.png")));
     {
@@ -258,6 +279,18 @@ class FilesTest : public QObject {
       QTRY_VERIFY_WITH_TIMEOUT(office.hasMessage(QStringLiteral("image-0")), test::kPatience);
       QCOMPARE(office.document().anchors().size(), std::size_t(4));
     }
+  }
+
+  void aSlamImageThatBreaksOffIsNamed() {
+    const QString folder = sandbox_->path(QStringLiteral("damaged"));
+    QVERIFY(copyOffice(folder));
+    QFile picture(folder + QStringLiteral("/slam_1.png"));
+    QVERIFY(picture.resize(picture.size() / 2));
+    OfficeWindow office(false);
+    QVERIFY(office.window.files().setImage(Side::kBlueprint, folder + QStringLiteral("/blueprint.yaml")));
+    QVERIFY(office.window.files().setImage(Side::kSlam, folder + QStringLiteral("/slam_1.yaml")));
+    QTRY_VERIFY_WITH_TIMEOUT(office.hasMessage(QStringLiteral("image-1")), test::kPatience);
+    QVERIFY(!office.session().isReady());
   }
 
   void scenario21_messyAnchorFilesAreReadAndBadLinesNamed() {

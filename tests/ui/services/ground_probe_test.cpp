@@ -53,8 +53,8 @@ class GroundProbeTest : public QObject {
       QVERIFY(at(290.5, 325.5) == Ground::kUnknown);
       QVERIFY(at(2.5, 2.5) == Ground::kUnknown);  // at a corner of the image
       QVERIFY(at(597.5, 397.5) == Ground::kUnknown);
-      QVERIFY(at(-0.5, 200.0) == Ground::kOutsideImage);
-      QVERIFY(at(300.0, 401.0) == Ground::kOutsideImage);
+      QVERIFY(at(-1.5, 200.0) == Ground::kOutsideImage);
+      QVERIFY(at(300.0, 401.5) == Ground::kOutsideImage);
     }
     QVERIFY(probe.at({std::nan(""), 0.0}) == Ground::kOutsideImage);
     QVERIFY(probe.at({std::numeric_limits<double>::infinity(), 0.0}) == Ground::kOutsideImage);
