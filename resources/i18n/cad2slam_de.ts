@@ -233,6 +233,18 @@
         <source>No line of %1 starts with two numbers x, y</source>
         <translation>Keine Zeile von %1 beginnt mit zwei Zahlen x, y</translation>
     </message>
+    <message>
+        <source>%1 lines without two numbers left out</source>
+        <translation>%1 Zeilen ohne zwei Zahlen ausgelassen</translation>
+    </message>
+    <message>
+        <source>There are more: only the first are shown</source>
+        <translation>Es gibt mehr: nur die ersten werden gezeigt</translation>
+    </message>
+    <message>
+        <source>the clipboard</source>
+        <translation>der Zwischenablage</translation>
+    </message>
 </context>
 <context>
     <name>Report</name>
@@ -888,6 +900,22 @@
     <message>
         <source>Version and licence</source>
         <translation>Version und Lizenz</translation>
+    </message>
+    <message>
+        <source>Show poses from the &amp;clipboard...</source>
+        <translation>Posen aus der &amp;Zwischenablage zeigen ...</translation>
+    </message>
+    <message>
+        <source>Show copied lines x, y, heading in both views</source>
+        <translation>Kopierte Zeilen x, y, Richtung in beiden Ansichten zeigen</translation>
+    </message>
+    <message>
+        <source>&amp;Remove shown poses</source>
+        <translation>Gezeigte Posen &amp;entfernen</translation>
+    </message>
+    <message>
+        <source>Take the poses from file or clipboard away again</source>
+        <translation>Die Posen aus Datei oder Zwischenablage wieder wegnehmen</translation>
     </message>
 </context>
 <context>
@@ -1661,6 +1689,10 @@ Karten-YAML, PGM, PNG oder TIFF</translation>
     <message>
         <source>This image cannot be shown: see the message above</source>
         <translation>Dieses Bild kann nicht gezeigt werden: siehe Meldung oben</translation>
+    </message>
+    <message>
+        <source>solving, step %1</source>
+        <translation>löst, Schritt %1</translation>
     </message>
 </context>
 <context>

@@ -233,6 +233,18 @@
         <source>No line of %1 starts with two numbers x, y</source>
         <translation>Ninguna línea de %1 empieza con dos números x, y</translation>
     </message>
+    <message>
+        <source>%1 lines without two numbers left out</source>
+        <translation>%1 líneas sin dos números omitidas</translation>
+    </message>
+    <message>
+        <source>There are more: only the first are shown</source>
+        <translation>Hay más: solo se muestran las primeras</translation>
+    </message>
+    <message>
+        <source>the clipboard</source>
+        <translation>el portapapeles</translation>
+    </message>
 </context>
 <context>
     <name>Report</name>
@@ -888,6 +900,22 @@
     <message>
         <source>Version and licence</source>
         <translation>Versión y licencia</translation>
+    </message>
+    <message>
+        <source>Show poses from the &amp;clipboard...</source>
+        <translation>Mostrar poses del &amp;portapapeles...</translation>
+    </message>
+    <message>
+        <source>Show copied lines x, y, heading in both views</source>
+        <translation>Mostrar en ambas vistas las líneas copiadas x, y, orientación</translation>
+    </message>
+    <message>
+        <source>&amp;Remove shown poses</source>
+        <translation>&amp;Quitar las poses mostradas</translation>
+    </message>
+    <message>
+        <source>Take the poses from file or clipboard away again</source>
+        <translation>Retirar las poses del archivo o del portapapeles</translation>
     </message>
 </context>
 <context>
@@ -1661,6 +1689,10 @@ YAML de mapa, PGM, PNG o TIFF</translation>
     <message>
         <source>This image cannot be shown: see the message above</source>
         <translation>Esta imagen no se puede mostrar: vea el mensaje de arriba</translation>
+    </message>
+    <message>
+        <source>solving, step %1</source>
+        <translation>resolviendo, paso %1</translation>
     </message>
 </context>
 <context>

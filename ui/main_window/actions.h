@@ -61,6 +61,8 @@ enum class ActionId {
   kExaggerate,
   kTestPose,
   kLoadPoses,
+  kPastePoses,
+  kClearPoses,
   kPlanPath,
   kNextPart,
   kSolveAgain,

@@ -14,6 +14,7 @@
 #include "ui/main_window/program_actions.h"
 #include "ui/main_window/project_files.h"
 #include "ui/main_window/recovery.h"
+#include "ui/main_window/stored_view.h"
 #include "ui/main_window/view_pair.h"
 #include "ui/models/number_text.h"
 #include "ui/panels/anchor_panel.h"
@@ -44,6 +45,7 @@ using enum ActionId;
 namespace {
 
 constexpr int kPixmapCache_kB = 32 * 1024;
+constexpr qint64 kSlow_ms = 500;
 
 /// A view under its heading.
 QWidget* titled(const QString& title, QWidget* extra, MapView* view) {
@@ -312,7 +314,13 @@ void MainWindow::connectSession() {
     refreshStatus();
   });
   connect(&session_.alignment(), &Alignment::othersChanged, this, &MainWindow::refreshStatus);
+  connect(&session_.alignment(), &Alignment::progressed, this, [this](int iteration) {
+    // Most solves are over before anybody could read it.
+    if (session_.alignment().status() == AlignmentStatus::kSolving && solving_since_.elapsed() > kSlow_ms)
+      status_->setChip(tr("solving, step %1").arg(iteration), ChipLook::kBusy);
+  });
   connect(&session_.alignment(), &Alignment::statusChanged, this, [this] {
+    if (session_.alignment().status() == AlignmentStatus::kSolving) solving_since_.start();
     refreshTable();
     refreshStatus();
     const auto& error = session_.alignment().error();
@@ -337,14 +345,15 @@ void MainWindow::connectSession() {
 }
 
 void MainWindow::connectTestPoses() {
-  const auto show = [this] {
+  const auto refresh = [this] {
     for (const Side side : {Side::kBlueprint, Side::kSlam}) {
       view(side).setPoses(test_poses_->glyphs(side));
       view(side).setPaths(test_poses_->paths(side));
     }
+    (*actions_)[kClearPoses]->setEnabled(test_poses_->hasPoses());
     refreshHint();
   };
-  connect(test_poses_, &TestPoses::changed, this, show);
+  connect(test_poses_, &TestPoses::changed, this, refresh);
   connect(test_poses_, &TestPoses::planningFailed, this, [this](const QString& sentence) {
     messages_->show({QStringLiteral("plan"), Severity::kWarning, sentence, {}, 6000});
   });
@@ -359,6 +368,9 @@ void MainWindow::connectTestPoses() {
     test_poses_->setPathVisible(on_now, blueprint_view_->metresFromWidget(aside));
   });
   connect((*actions_)[kLoadPoses], &QAction::triggered, this, [this] { askPoses(*this); });
+  connect((*actions_)[kPastePoses], &QAction::triggered, this, [this] { pastePoses(*this); });
+  connect((*actions_)[kClearPoses], &QAction::triggered, test_poses_, &TestPoses::clearPoses);
+  refresh();
 }
 
 void MainWindow::refreshTitle() {
@@ -441,37 +453,16 @@ void MainWindow::goToNextPart() {
 void MainWindow::storeViewState() {
   if (!views_restored_) return;  // the images are not there yet: what was stored stays
   QJsonObject views = session_.document().viewState();
-  for (const Side side : {Side::kBlueprint, Side::kSlam}) {
-    const ViewState state = view(side).viewState();
-    QJsonObject stored{{QStringLiteral("rotation_rad"), state.rotation_rad}};
-    if (view(side).isFitted()) {
-      stored.insert(QStringLiteral("fitted"), true);  // in a window of any size
-    } else {
-      stored.insert(QStringLiteral("x_m"), state.center_m.x());
-      stored.insert(QStringLiteral("y_m"), state.center_m.y());
-      stored.insert(QStringLiteral("m_per_px"), state.m_per_px);
-    }
-    views.insert(side == Side::kBlueprint ? QStringLiteral("blueprint") : QStringLiteral("slam"), stored);
-  }
+  views.insert(QStringLiteral("blueprint"), storedView(*blueprint_view_));
+  views.insert(QStringLiteral("slam"), storedView(*slam_view_));
   session_.document().setViewState(views);
 }
 
 void MainWindow::restoreViewState() {
   views_restored_ = true;
-  for (const Side side : {Side::kBlueprint, Side::kSlam}) {
-    const QJsonObject stored =
-        session_.document().viewState()[side == Side::kBlueprint ? u"blueprint" : u"slam"].toObject();
-    ViewState state;
-    state.center_m = {stored[u"x_m"].toDouble(), stored[u"y_m"].toDouble()};
-    state.m_per_px = stored[u"m_per_px"].toDouble();
-    state.rotation_rad = stored[u"rotation_rad"].toDouble();
-    if (stored[u"fitted"].toBool()) {
-      view(side).setRotation(state.rotation_rad);
-      view(side).fit();
-    } else if (state.m_per_px > 1e-6 && state.m_per_px < 1e6) {
-      view(side).setViewState(state);
-    }
-  }
+  const QJsonObject& views = session_.document().viewState();
+  restoreView(*blueprint_view_, views[u"blueprint"].toObject());
+  restoreView(*slam_view_, views[u"slam"].toObject());
 }
 
 void MainWindow::keyPressEvent(QKeyEvent* event) {

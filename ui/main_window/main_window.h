@@ -5,6 +5,7 @@
 #include "ui/main_window/actions.h"
 #include "ui/main_window/session.h"
 
+#include <QElapsedTimer>
 #include <QMainWindow>
 
 #include <memory>
@@ -93,6 +94,7 @@ class MainWindow : public QMainWindow {
   DiagnosisMessages* diagnosis_ = nullptr;
   Recovery* recovery_ = nullptr;
   TestPoses* test_poses_ = nullptr;
+  QElapsedTimer solving_since_;
   bool views_restored_ = false;
 };
 

@@ -68,7 +68,7 @@ Menus buildMenus(QMainWindow& window, const Actions& actions) {
   menus.docks = view.addMenu(text(QT_TRANSLATE_NOOP("Menus", "P&anels")));
 
   QMenu& tools = *bar.addMenu(text(QT_TRANSLATE_NOOP("Menus", "&Tools")));
-  add(tools, actions, {kTestPose, kPlanPath, kLoadPoses});
+  add(tools, actions, {kTestPose, kPlanPath, kSeparator, kLoadPoses, kPastePoses, kClearPoses});
 
   QMenu& help = *bar.addMenu(text(QT_TRANSLATE_NOOP("Menus", "&Help")));
   add(help, actions, {kCheatSheet, kTour, kSeparator, kAbout});

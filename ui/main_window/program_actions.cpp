@@ -18,8 +18,11 @@
 #include "ui/tools/test_poses.h"
 #include "ui/views/map_view.h"
 
+#include <QClipboard>
 #include <QCoreApplication>
 #include <QFileDialog>
+#include <QFileInfo>
+#include <QGuiApplication>
 #include <QInputDialog>
 #include <QMessageBox>
 #include <QSettings>
@@ -62,6 +65,26 @@ void askSettings(MainWindow& window) {
                             Text::tr("The language changes at the next start of the program"),
                             {},
                             6000});
+}
+
+void showPoses(MainWindow& window, const QByteArray& text, const QString& from) {
+  bool ok = false;
+  const QStringList sides{Text::tr("SLAM map"), Text::tr("Blueprint")};
+  const QString side = QInputDialog::getItem(&window, Text::tr("Show poses"),
+                                             Text::tr("The poses are in the frame of the:"), sides, 0, false, &ok);
+  if (!ok) return;
+  const TestPoses::PoseImport import =
+      window.testPoses().loadPoses(text, side == sides[0] ? Side::kSlam : Side::kBlueprint);
+  Message message{QStringLiteral("poses"), Severity::kNote, Text::tr("%1 poses shown").arg(import.shown), {}, 5000};
+  if (import.skipped > 0)
+    message.text += QStringLiteral(", ") + Text::tr("%1 lines without two numbers left out").arg(import.skipped);
+  if (import.cut) {
+    message.text += QStringLiteral(". ") + Text::tr("There are more: only the first are shown");
+    message.vanishes_after_ms = 0;
+  }
+  if (import.shown == 0)
+    message = {message.id, Severity::kWarning, Text::tr("No line of %1 starts with two numbers x, y").arg(from), {}, 0};
+  window.messages().show(std::move(message));
 }
 
 }  // namespace
@@ -125,20 +148,16 @@ void askPoses(MainWindow& window) {
   const QString path = QFileDialog::getOpenFileName(&window, Text::tr("Show poses from file"), QString(),
                                                     Text::tr("Poses (*.csv *.txt);;All files (*)"));
   if (path.isEmpty()) return;
-  bool ok = false;
-  const QStringList sides{Text::tr("SLAM map"), Text::tr("Blueprint")};
-  const QString side = QInputDialog::getItem(&window, Text::tr("Show poses"),
-                                             Text::tr("The poses are in the frame of the:"), sides, 0, false, &ok);
-  if (!ok) return;
   const Result<std::string> text = readFile(toPath(path), kLargestPoseFile);
-  const std::size_t count = text ? window.testPoses().loadPoses(QByteArray::fromStdString(*text),
-                                                                side == sides[0] ? Side::kSlam : Side::kBlueprint)
-                                 : 0;
-  Message message{QStringLiteral("poses"), Severity::kNote, Text::tr("%1 poses shown").arg(count), {}, 5000};
-  if (!text) message = {message.id, Severity::kError, toQString(text.error().sentence()), {}, 0};
-  if (text && count == 0)
-    message = {message.id, Severity::kWarning, Text::tr("No line of %1 starts with two numbers x, y").arg(path), {}, 0};
-  window.messages().show(std::move(message));
+  if (!text) {
+    window.messages().show({QStringLiteral("poses"), Severity::kError, toQString(text.error().sentence()), {}, 0});
+    return;
+  }
+  showPoses(window, QByteArray::fromStdString(*text), QFileInfo(path).fileName());
+}
+
+void pastePoses(MainWindow& window) {
+  showPoses(window, QGuiApplication::clipboard()->text().toUtf8(), Text::tr("the clipboard"));
 }
 
 void startTour(MainWindow& window) {

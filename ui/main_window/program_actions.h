@@ -16,5 +16,6 @@ void startTour(MainWindow& window);
 bool saveReport(MainWindow& window, const QString& path);
 /// Asks for a file of poses and the map they are of, and shows them.
 void askPoses(MainWindow& window);
+void pastePoses(MainWindow& window);
 
 }  // namespace cad2slam

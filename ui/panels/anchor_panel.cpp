@@ -125,9 +125,11 @@ void AnchorPanel::takeSelection() {
   std::erase_if(ids, [&](AnchorId id) { return std::find(chosen.begin(), chosen.end(), id) == chosen.end(); });
   for (const AnchorId id : chosen)
     if (std::find(ids.begin(), ids.end(), id) == ids.end()) ids.push_back(id);
+  const bool is_one = ids.size() == 1 && ids != selection_.ids();
   syncing_ = true;
   selection_.set(std::move(ids));
   syncing_ = false;
+  if (is_one) emit jumpRequested(selection_.ids().front());
 }
 
 void AnchorPanel::showSelection() {

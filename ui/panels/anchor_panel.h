@@ -34,8 +34,8 @@ class AnchorPanel : public QWidget {
   [[nodiscard]] std::optional<AnchorId> nextByError(std::optional<AnchorId> after, bool forward) const;
 
  signals:
-  void jumpRequested(cad2slam::AnchorId id);
-  void toggleRequested();  ///< Space in the table
+  void jumpRequested(cad2slam::AnchorId id);  ///< a row was chosen: show its anchor
+  void toggleRequested();                     ///< Space in the table
 
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override;

@@ -137,25 +137,32 @@ void TestPoses::plan() {
   if (path_visible_ && grid) planner_->request({grid, poses_[0].translation, poses_[1].translation});
 }
 
-std::size_t TestPoses::loadPoses(const QByteArray& text, Side side) {
+TestPoses::PoseImport TestPoses::loadPoses(const QByteArray& text, Side side) {
   loaded_.clear();
   loaded_side_ = side;
-  // Where there are semicolons or tabs, a comma is a decimal comma.
+  // Where there are semicolons, a comma is a decimal comma.
   static const QRegularExpression kSeparator(QStringLiteral("[,\\t ]+"));
   static const QRegularExpression kSeparatorBesideComma(QStringLiteral("[;\\t ]+"));
-  const bool decimal_commas = text.contains(';');
+  const QRegularExpression& separator = text.contains(';') ? kSeparatorBesideComma : kSeparator;
+  PoseImport import;
   for (const QByteArray& line : text.split('\n')) {
-    if (loaded_.size() >= kLargestPoseCount) break;
-    const QStringList fields = QString::fromUtf8(line).trimmed().split(
-        decimal_commas ? kSeparatorBesideComma : kSeparator, Qt::SkipEmptyParts);
-    if (fields.size() < 2) continue;
-    const std::optional<double> x = parseNumber(fields[0]);
-    const std::optional<double> y = parseNumber(fields[1]);
-    const std::optional<double> heading = fields.size() > 2 ? parseNumber(fields[2]) : std::optional(0.0);
-    if (x && y) loaded_.push_back({{*x, *y}, heading.value_or(0.0)});
+    const QString trimmed = QString::fromUtf8(line).trimmed();
+    if (trimmed.isEmpty()) continue;
+    const QStringList fields = trimmed.split(separator, Qt::SkipEmptyParts);
+    const std::optional<double> x = fields.size() > 1 ? parseNumber(fields[0]) : std::nullopt;
+    const std::optional<double> y = fields.size() > 1 ? parseNumber(fields[1]) : std::nullopt;
+    const std::optional<double> heading = fields.size() > 2 ? parseNumber(fields[2]) : std::nullopt;
+    if (!x || !y) {
+      ++import.skipped;
+      continue;
+    }
+    import.cut = loaded_.size() >= kLargestPoseCount;
+    if (import.cut) break;
+    loaded_.push_back({{*x, *y}, heading.value_or(0.0)});
   }
+  import.shown = loaded_.size();
   emit changed();
-  return loaded_.size();
+  return import;
 }
 
 void TestPoses::clearPoses() {

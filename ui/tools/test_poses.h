@@ -46,10 +46,15 @@ class TestPoses : public QObject {
   /// There and back through the current alignment; empty while there is none.
   [[nodiscard]] std::optional<Tried> tried(const Pose2& in_blueprint) const;
 
-  /// Lines `x,y[,heading]` (metres, radians; comma, semicolon, tab or spaces); lines without numbers are skipped.
-  /// Returns how many poses were read.
-  std::size_t loadPoses(const QByteArray& text, Side side);
+  struct PoseImport {
+    std::size_t shown = 0;
+    std::size_t skipped = 0;  ///< lines without numbers, a heading of the columns among them
+    bool cut = false;         ///< there were more than can be shown
+  };
+  /// Lines `x,y[,heading]` (metres, radians), separated by comma, tab or spaces, or by semicolon with decimal commas.
+  PoseImport loadPoses(const QByteArray& text, Side side);
   void clearPoses();
+  [[nodiscard]] bool hasPoses() const { return !loaded_.empty(); }
 
   [[nodiscard]] std::vector<PoseGlyph> glyphs(Side side) const;
   [[nodiscard]] std::vector<PathGlyph> paths(Side side) const;

@@ -289,6 +289,23 @@ class CheckingTest : public QObject {
         -7.5);
   }
 
+  void scenario14_aChosenRowIsInTheMiddleOfBothViews() {
+    OfficeWindow office;
+    office.addExact(6);
+    QVERIFY(office.waitUntilSolved());
+    QTableView& table = *office.window.anchorPanel().table();
+    for (const Side side : {Side::kBlueprint, Side::kSlam}) office.window.view(side).zoomBy(6.0);
+    const QModelIndex cell = table.model()->index(3, AnchorTableModel::kName);
+    QTest::mouseClick(table.viewport(), Qt::LeftButton, {}, table.visualRect(cell).center());
+    QCOMPARE(office.session().selection().ids(), (std::vector<AnchorId>{4}));
+    for (const Side side : {Side::kBlueprint, Side::kSlam}) {
+      const QPointF wanted = toQPointF(half(*office.document().anchor(4), side));
+      QTRY_VERIFY_WITH_TIMEOUT(
+          QLineF(office.window.view(side).viewState().center_m, wanted).length() < office.clickError(side),
+          test::kPatience);
+    }
+  }
+
   void scenario14_aSolveLeavesWhatIsBeingTypedAlone() {
     OfficeWindow office;
     office.addExact(6);
@@ -357,10 +374,17 @@ class CheckingTest : public QObject {
   void posesAreReadWithPointsAndCommas() {
     QFETCH(QByteArray, text);
     OfficeWindow office;
-    QCOMPARE(office.window.testPoses().loadPoses(text, Side::kBlueprint), std::size_t(1));
+    const TestPoses::PoseImport import = office.window.testPoses().loadPoses(text, Side::kBlueprint);
+    QCOMPARE(import.shown, std::size_t(1));
+    QCOMPARE(import.skipped, std::size_t(text.startsWith('x') ? 1 : 0));
+    QVERIFY(!import.cut);
+    QVERIFY(office.window.actionTable()[ActionId::kClearPoses]->isEnabled());
     const PoseGlyph glyph = office.window.testPoses().glyphs(Side::kBlueprint).at(0);
     QCOMPARE(glyph.point_m, QPointF(12.34, 5.67));
     QCOMPARE(glyph.heading_rad, 1.5);
+    office.window.actionTable()[ActionId::kClearPoses]->trigger();
+    QVERIFY(office.window.testPoses().glyphs(Side::kSlam).empty());
+    QVERIFY(!office.window.actionTable()[ActionId::kClearPoses]->isEnabled());
   }
 
   void scenario18_theRoundTripIsSeenWhileTheMouseMoves() {
