@@ -26,6 +26,13 @@ inline Eigen::Vector2d& half(Anchor& anchor, Side side) {
   return side == Side::kBlueprint ? anchor.in_blueprint : anchor.in_slam;
 }
 
+/// Whether each pixel lies at the same metres in both.
+inline bool isSameFrame(const MapMetadata& a, const MapMetadata& b) {
+  return a.mirrored == b.mirrored && a.resolution_m_per_px == b.resolution_m_per_px &&
+         a.metric_from_corner.translation == b.metric_from_corner.translation &&
+         a.metric_from_corner.heading == b.metric_from_corner.heading;
+}
+
 /// Where "ok" ends and where "look" ends: the larger of a number of SLAM map pixels and a length.
 struct ClassLimits {
   double ok_cells = 2.0;

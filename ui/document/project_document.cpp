@@ -24,10 +24,11 @@ AnchorId largestId(const Project& project) {
   return largest;
 }
 
-bool isSameGround(const MapMetadata& a, const MapMetadata& b) {
-  return a.resolution_m_per_px == b.resolution_m_per_px && a.mirrored == b.mirrored &&
-         a.metric_from_corner.translation == b.metric_from_corner.translation &&
-         a.metric_from_corner.heading == b.metric_from_corner.heading;
+/// Whether a place in one raster is the same place in the other: an image found again elsewhere is still the same.
+bool isSameGround(const ProjectRaster& a, const ProjectRaster& b) {
+  const bool same_image =
+      a.metadata.image == b.metadata.image || (!a.image_sha256.empty() && a.image_sha256 == b.image_sha256);
+  return same_image && isSameFrame(a.metadata, b.metadata);
 }
 
 /// The map before a step that is `map` after it: the one of its name, or the one that was renamed.
@@ -243,8 +244,8 @@ void ProjectDocument::applyState(const DocumentState& state, const std::string& 
     const ProjectSlamMap* old = sameMapIn(before, map, state_.project);
     if (!old || !old->pending) continue;
     const bool in_blueprint = old->pending->in_blueprint;
-    const bool stays = in_blueprint ? isSameGround(before.blueprint.metadata, state_.project.blueprint.metadata)
-                                    : isSameGround(old->raster.metadata, map.raster.metadata);
+    const bool stays =
+        in_blueprint ? isSameGround(before.blueprint, state_.project.blueprint) : isSameGround(old->raster, map.raster);
     if (stays) map.pending = old->pending;
   }
   if (event.what & (Change::kBlueprint | Change::kSlamMaps)) event.what |= Change::kAnchors | Change::kPending;

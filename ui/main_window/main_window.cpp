@@ -267,16 +267,16 @@ void MainWindow::connectViewActions() {
       set(*slam_view_, on_now);
     };
   };
+  const auto on_all = [this, on_both](auto set) {
+    return [this, set, both = on_both(set)](bool on_now) {
+      both(on_now);
+      set(preview_->view(), on_now);
+    };
+  };
   toggle(kSnap, true, on_both([](MapView& v, bool on_now) { v.setSnapping(on_now); }));
   toggle(kLoupe, false, on_both([](MapView& v, bool on_now) { v.setLoupe(on_now); }));
-  toggle(kMarkers, true, [this](bool on_now) {
-    for (MapView* v : {blueprint_view_, slam_view_, static_cast<MapView*>(&preview_->view())})
-      v->setMarkersVisible(on_now);
-  });
-  toggle(kTexts, true, [this](bool on_now) {
-    for (MapView* v : {blueprint_view_, slam_view_, static_cast<MapView*>(&preview_->view())})
-      v->setMarkerTextVisible(on_now);
-  });
+  toggle(kMarkers, true, on_all([](MapView& v, bool on_now) { v.setMarkersVisible(on_now); }));
+  toggle(kTexts, true, on_all([](MapView& v, bool on_now) { v.setMarkerTextVisible(on_now); }));
   toggle(kMesh, false, [this](bool on_now) { views_->setMeshVisible(on_now); });
   toggle(kResiduals, true, [this](bool on_now) { views_->setResidualsVisible(on_now); });
   toggle(kExaggerate, false, [this](bool on_now) { views_->setMagnification(on_now ? 10.0 : 1.0); });

@@ -22,12 +22,6 @@ const QColor kGreyInk(0x55, 0x5a, 0x60);
 const std::array<QColor, 6> kMapInks{QColor(0xe0, 0x00, 0x84), QColor(0x00, 0x9a, 0x44), QColor(0x1f, 0x5f, 0xd8),
                                      QColor(0xd9, 0x7a, 0x00), QColor(0x6a, 0x2f, 0xb5), QColor(0x00, 0x95, 0xa8)};
 
-bool isSameRaster(const MapMetadata& a, const MapMetadata& b) {
-  return a.image == b.image && a.mirrored == b.mirrored && a.resolution_m_per_px == b.resolution_m_per_px &&
-         a.metric_from_corner.translation == b.metric_from_corner.translation &&
-         a.metric_from_corner.heading == b.metric_from_corner.heading;
-}
-
 }  // namespace
 
 PreviewWiring::PreviewWiring(Session& session, PreviewPanel& panel, QObject* parent)
@@ -133,7 +127,7 @@ QString PreviewWiring::nameInLegend(const std::string& map) const {
 
 PreviewWiring::OtherMap& PreviewWiring::otherMap(const MapMetadata& metadata) {
   OtherMap& other = other_maps_[metadata.image.string()];
-  if (!other.picture || !isSameRaster(other.metadata, metadata)) {
+  if (!other.picture || !isSameFrame(other.metadata, metadata)) {
     other.metadata = metadata;
     const Result<MapFrame> frame = readMapFrame(metadata);
     other.frame = frame ? std::optional(*frame) : std::nullopt;

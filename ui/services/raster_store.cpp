@@ -21,12 +21,6 @@ bool samePixels(const MapMetadata& a, const MapMetadata& b) {
          a.occupied_threshold == b.occupied_threshold && a.free_threshold == b.free_threshold;
 }
 
-bool sameFrame(const MapMetadata& a, const MapMetadata& b) {
-  return a.resolution_m_per_px == b.resolution_m_per_px &&
-         a.metric_from_corner.translation == b.metric_from_corner.translation &&
-         a.metric_from_corner.heading == b.metric_from_corner.heading;
-}
-
 }  // namespace
 
 struct RasterStore::Answer {
@@ -69,7 +63,7 @@ void RasterStore::follow(Side side, const ProjectRaster* raster, const std::stri
 
 void RasterStore::reframe(Side side, const MapMetadata& metadata) {
   Slot& slot = at(side);
-  if (sameFrame(*slot.wanted, metadata)) return emit changed(side, false);
+  if (isSameFrame(*slot.wanted, metadata)) return emit changed(side, false);
   const Result<MapFrame> frame = MapFrame::create(metadata.resolution_m_per_px, slot.frame->width(),
                                                   slot.frame->height(), metadata.metric_from_corner);
   if (!frame) return;
@@ -147,7 +141,7 @@ void RasterStore::take(Side side, int ticket, const ProjectRaster& raster, const
   slot.grid = answer.grid;
   slot.image_sha256 = answer.described.image_sha256.empty() ? raster.image_sha256 : answer.described.image_sha256;
   slot.image_changed = answer.state == RasterState::kChanged;
-  if (!sameFrame(wanted, raster.metadata)) reframe(side, wanted);
+  if (!isSameFrame(wanted, raster.metadata)) reframe(side, wanted);
   if (!answer.described.image_sha256.empty())
     document_.describeRasters(map, side == Side::kBlueprint ? answer.described : ProjectRaster{},
                               side == Side::kSlam ? answer.described : ProjectRaster{});

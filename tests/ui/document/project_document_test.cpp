@@ -297,6 +297,21 @@ class ProjectDocumentTest : public QObject {
     QVERIFY(!document_.pending());
   }
 
+  void aHalfAnchorStaysWithItsImage() {
+    addThree();
+    ProjectRaster plan = document_.project().blueprint;
+    plan.image_sha256 = "of the plan";
+    edit::setBlueprint(document_, plan);
+    document_.setPending(PendingAnchor{true, 1.0, 2.0});
+    plan.metadata.image = "/moved/plan.png";
+    edit::setBlueprint(document_, plan);
+    QVERIFY(document_.pending());
+    plan.metadata.image = "/moved/another_plan.png";
+    plan.image_sha256 = "of another";
+    edit::setBlueprint(document_, plan);
+    QVERIFY(!document_.pending());
+  }
+
   void nothingIsModifiedWhereNothingDiffersFromWhatIsSaved() {
     addThree();
     document_.markSaved("/nowhere/site.c2sproj");
