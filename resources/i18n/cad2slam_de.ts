@@ -2,6 +2,1025 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="de_DE">
 <context>
+    <name>Engine</name>
+    <message>
+        <source>anchor %1</source>
+        <translation>Anker %1</translation>
+    </message>
+    <message>
+        <source>projector</source>
+        <translation>Projektor</translation>
+    </message>
+    <message>
+        <source>its number is used twice</source>
+        <translation>seine Nummer ist doppelt vergeben</translation>
+    </message>
+    <message>
+        <source>its coordinates are not finite numbers</source>
+        <translation>seine Koordinaten sind keine endlichen Zahlen</translation>
+    </message>
+    <message>
+        <source>its point lies %1 outside the blueprint; correct or disable it</source>
+        <translation>sein Punkt liegt %1 außerhalb des Bauplans; korrigieren oder abschalten</translation>
+    </message>
+    <message>
+        <source>its point lies %1 outside the SLAM map; correct or disable it</source>
+        <translation>sein Punkt liegt %1 außerhalb der SLAM-Karte; korrigieren oder abschalten</translation>
+    </message>
+    <message>
+        <source>anchors %1 and %2 share a blueprint point but are %3 apart in the SLAM map; correct or disable one of them</source>
+        <translation>Anker %1 und %2 haben denselben Punkt im Bauplan, liegen aber in der SLAM-Karte %3 auseinander; einen davon korrigieren oder abschalten</translation>
+    </message>
+    <message>
+        <source>anchors %1 and %2 share a SLAM map point but are %3 apart in the blueprint; correct or disable one of them</source>
+        <translation>Anker %1 und %2 haben denselben Punkt in der SLAM-Karte, liegen aber im Bauplan %3 auseinander; einen davon korrigieren oder abschalten</translation>
+    </message>
+    <message>
+        <source>no pair of corresponding points to align with</source>
+        <translation>kein Paar zusammengehöriger Punkte zum Ausrichten</translation>
+    </message>
+    <message>
+        <source>a pair of corresponding points is not finite</source>
+        <translation>ein Paar zusammengehöriger Punkte ist nicht endlich</translation>
+    </message>
+    <message>
+        <source>all points are at one place, so rotation and scale are unknown</source>
+        <translation>alle Punkte liegen an einer Stelle, also sind Drehung und Maßstab unbekannt</translation>
+    </message>
+    <message>
+        <source>the points do not determine a rotation and a scale</source>
+        <translation>die Punkte legen Drehung und Maßstab nicht fest</translation>
+    </message>
+    <message>
+        <source>the resolution of a map must be a positive number of metres per pixel</source>
+        <translation>die Auflösung einer Karte muss eine positive Zahl von Metern je Pixel sein</translation>
+    </message>
+    <message>
+        <source>a map must be at least one pixel wide and high</source>
+        <translation>eine Karte muss mindestens ein Pixel breit und hoch sein</translation>
+    </message>
+    <message>
+        <source>the origin of a map must be three finite numbers</source>
+        <translation>der Ursprung einer Karte muss aus drei endlichen Zahlen bestehen</translation>
+    </message>
+    <message>
+        <source>the cell size must be a positive number of metres</source>
+        <translation>die Zellgröße muss eine positive Zahl von Metern sein</translation>
+    </message>
+    <message>
+        <source>cells of %1 m give a mesh of more than %2 nodes; choose a larger cell size</source>
+        <translation>Zellen von %1 m ergeben ein Netz von mehr als %2 Knoten; eine größere Zellgröße wählen</translation>
+    </message>
+    <message>
+        <source>the blueprint has no free pixel, so there is nothing to mesh</source>
+        <translation>der Bauplan hat kein freies Pixel, also gibt es nichts zu vernetzen</translation>
+    </message>
+    <message>
+        <source>the mesh needs a finite, positive cell size and a finite origin</source>
+        <translation>das Netz braucht eine endliche, positive Zellgröße und einen endlichen Ursprung</translation>
+    </message>
+    <message>
+        <source>the mesh has no node</source>
+        <translation>das Netz hat keinen Knoten</translation>
+    </message>
+    <message>
+        <source>the mesh has %1 centres for %2 tiles</source>
+        <translation>das Netz hat %1 Mittelpunkte für %2 Kacheln</translation>
+    </message>
+    <message>
+        <source>the mesh has a node at no finite place</source>
+        <translation>das Netz hat einen Knoten an keiner endlichen Stelle</translation>
+    </message>
+    <message>
+        <source>the mesh has two nodes on one tile</source>
+        <translation>das Netz hat zwei Knoten auf einer Kachel</translation>
+    </message>
+    <message>
+        <source>there is no enabled anchor; at least one pair of corresponding points is needed</source>
+        <translation>kein Anker ist eingeschaltet; mindestens ein Paar zusammengehöriger Punkte wird gebraucht</translation>
+    </message>
+    <message>
+        <source>the scale must be a positive number</source>
+        <translation>der Maßstab muss eine positive Zahl sein</translation>
+    </message>
+    <message>
+        <source>the mesh of %1 nodes is too large for the memory of this computer; choose a larger cell size</source>
+        <translation>das Netz von %1 Knoten ist zu groß für den Speicher dieses Rechners; eine größere Zellgröße wählen</translation>
+    </message>
+    <message>
+        <source>the optimisation was cancelled</source>
+        <translation>die Optimierung wurde abgebrochen</translation>
+    </message>
+    <message>
+        <source>the optimisation found no finite minimum; check the anchors and the weights</source>
+        <translation>die Optimierung fand kein endliches Minimum; Anker und Gewichte prüfen</translation>
+    </message>
+    <message>
+        <source>the anchors do not determine the mesh; add anchors or enable some</source>
+        <translation>die Anker legen das Netz nicht fest; Anker hinzufügen oder einschalten</translation>
+    </message>
+    <message>
+        <source>One place is anchored: only the translation is known; add an anchor far away from it.</source>
+        <translation>Eine Stelle ist verankert: nur die Verschiebung ist bekannt; einen Anker weit weg davon setzen.</translation>
+    </message>
+    <message>
+        <source>Two places are anchored: only rotation and translation are known; a third anchor lets the mesh bend.</source>
+        <translation>Zwei Stellen sind verankert: nur Drehung und Verschiebung sind bekannt; mit einem dritten Anker kann sich das Netz biegen.</translation>
+    </message>
+    <message>
+        <source>The optimisation stopped after %1 iterations before it had converged.</source>
+        <translation>Die Optimierung hielt nach %1 Iterationen an, bevor sie konvergiert war.</translation>
+    </message>
+    <message>
+        <source>The planner needs a positive step, and a radius, clearance and clearance cost that are not negative</source>
+        <translation>Der Planer braucht einen positiven Schritt und einen Radius, einen Abstand und Abstandskosten, die nicht negativ sind</translation>
+    </message>
+    <message>
+        <source>The start %1 lies outside of the map</source>
+        <translation>Der Start %1 liegt außerhalb der Karte</translation>
+    </message>
+    <message>
+        <source>The goal %1 lies outside of the map</source>
+        <translation>Das Ziel %1 liegt außerhalb der Karte</translation>
+    </message>
+    <message>
+        <source>The start %1 lies inside a wall</source>
+        <translation>Der Start %1 liegt in einer Wand</translation>
+    </message>
+    <message>
+        <source>The goal %1 lies inside a wall</source>
+        <translation>Das Ziel %1 liegt in einer Wand</translation>
+    </message>
+    <message>
+        <source>The start %1 lies where the map is unknown</source>
+        <translation>Der Start %1 liegt, wo die Karte unbekannt ist</translation>
+    </message>
+    <message>
+        <source>The goal %1 lies where the map is unknown</source>
+        <translation>Das Ziel %1 liegt, wo die Karte unbekannt ist</translation>
+    </message>
+    <message>
+        <source>The start %1 lies nearer to a wall than the radius of the robot</source>
+        <translation>Der Start %1 liegt näher an einer Wand als der Radius des Roboters</translation>
+    </message>
+    <message>
+        <source>The goal %1 lies nearer to a wall than the radius of the robot</source>
+        <translation>Das Ziel %1 liegt näher an einer Wand als der Radius des Roboters</translation>
+    </message>
+    <message>
+        <source>No path leads from %1 to %2</source>
+        <translation>Kein Weg führt von %1 nach %2</translation>
+    </message>
+    <message>
+        <source>The step between two poses of the path is too small for its length</source>
+        <translation>Der Schritt zwischen zwei Posen des Weges ist zu klein für dessen Länge</translation>
+    </message>
+    <message>
+        <source>the projector has no finite, positive cell size and finite origin</source>
+        <translation>der Projektor hat keine endliche, positive Zellgröße und keinen endlichen Ursprung</translation>
+    </message>
+    <message>
+        <source>the projector has no finite, positive scale</source>
+        <translation>der Projektor hat keinen endlichen, positiven Maßstab</translation>
+    </message>
+    <message>
+        <source>the radius of the projector is not between 0 and 1000 cells</source>
+        <translation>der Radius des Projektors liegt nicht zwischen 0 und 1000 Zellen</translation>
+    </message>
+    <message>
+        <source>the projector&apos;s node arrays differ in length</source>
+        <translation>die Knotenlisten des Projektors sind verschieden lang</translation>
+    </message>
+    <message>
+        <source>the projector has no node</source>
+        <translation>der Projektor hat keinen Knoten</translation>
+    </message>
+    <message>
+        <source>the projector has too many nodes</source>
+        <translation>der Projektor hat zu viele Knoten</translation>
+    </message>
+    <message>
+        <source>the projector has two nodes on one tile</source>
+        <translation>der Projektor hat zwei Knoten auf einer Kachel</translation>
+    </message>
+    <message>
+        <source>the projector has an edge to a node that does not exist</source>
+        <translation>der Projektor hat eine Kante zu einem Knoten, den es nicht gibt</translation>
+    </message>
+    <message>
+        <source>the projector has an anchor that is not finite</source>
+        <translation>der Projektor hat einen Anker, der nicht endlich ist</translation>
+    </message>
+    <message>
+        <source>the names and notes of the projector are too long to be written</source>
+        <translation>die Namen und Notizen des Projektors sind zu lang, um geschrieben zu werden</translation>
+    </message>
+    <message>
+        <source>node %1 of the projector lies on a tile outside any building</source>
+        <translation>Knoten %1 des Projektors liegt auf einer Kachel außerhalb jedes Gebäudes</translation>
+    </message>
+    <message>
+        <source>node %1 of the projector is not finite</source>
+        <translation>Knoten %1 des Projektors ist nicht endlich</translation>
+    </message>
+    <message>
+        <source>node %1 of the projector is stretched beyond reason</source>
+        <translation>Knoten %1 des Projektors ist über jedes Maß gedehnt</translation>
+    </message>
+    <message>
+        <source>node %1 of the projector does not lie on its tile</source>
+        <translation>Knoten %1 des Projektors liegt nicht auf seiner Kachel</translation>
+    </message>
+    <message>
+        <source>the picture is not as large as its frame says</source>
+        <translation>das Bild ist nicht so groß, wie sein Rahmen sagt</translation>
+    </message>
+    <message>
+        <source>pictures wider or higher than %1 pixels cannot be warped; choose a coarser resolution</source>
+        <translation>Bilder, die breiter oder höher als %1 Pixel sind, lassen sich nicht verbiegen; eine gröbere Auflösung wählen</translation>
+    </message>
+    <message>
+        <source>the resolution must be a positive number of metres per pixel</source>
+        <translation>die Auflösung muss eine positive Zahl von Metern je Pixel sein</translation>
+    </message>
+    <message>
+        <source>the projector draws nothing of this picture</source>
+        <translation>der Projektor zeichnet nichts von diesem Bild</translation>
+    </message>
+    <message>
+        <source>the warped picture would be wider than a million pixels; choose a coarser resolution</source>
+        <translation>das verbogene Bild wäre breiter als eine Million Pixel; eine gröbere Auflösung wählen</translation>
+    </message>
+    <message>
+        <source>there is no such file</source>
+        <translation>diese Datei gibt es nicht</translation>
+    </message>
+    <message>
+        <source>cannot be opened (%1)</source>
+        <translation>lässt sich nicht öffnen (%1)</translation>
+    </message>
+    <message>
+        <source>cannot be read (%1)</source>
+        <translation>lässt sich nicht lesen (%1)</translation>
+    </message>
+    <message>
+        <source>cannot be written (%1)</source>
+        <translation>lässt sich nicht schreiben (%1)</translation>
+    </message>
+    <message>
+        <source>cannot be written: %1</source>
+        <translation>lässt sich nicht schreiben: %1</translation>
+    </message>
+    <message>
+        <source>a file name is missing</source>
+        <translation>ein Dateiname fehlt</translation>
+    </message>
+    <message>
+        <source>it is not a regular file</source>
+        <translation>es ist keine gewöhnliche Datei</translation>
+    </message>
+    <message>
+        <source>is not a regular file</source>
+        <translation>ist keine gewöhnliche Datei</translation>
+    </message>
+    <message>
+        <source>is a folder, not a file</source>
+        <translation>ist ein Ordner, keine Datei</translation>
+    </message>
+    <message>
+        <source>is larger than the %1 bytes that are read</source>
+        <translation>ist größer als die %1 Bytes, die gelesen werden</translation>
+    </message>
+    <message>
+        <source>is empty</source>
+        <translation>ist leer</translation>
+    </message>
+    <message>
+        <source>ends too early</source>
+        <translation>endet zu früh</translation>
+    </message>
+    <message>
+        <source>was cut off while it was read</source>
+        <translation>wurde abgeschnitten, während es gelesen wurde</translation>
+    </message>
+    <message>
+        <source>Permission denied</source>
+        <translation>Keine Berechtigung</translation>
+    </message>
+    <message>
+        <source>Operation not permitted</source>
+        <translation>Die Operation ist nicht erlaubt</translation>
+    </message>
+    <message>
+        <source>No space left on device</source>
+        <translation>Auf dem Gerät ist kein Speicherplatz mehr frei</translation>
+    </message>
+    <message>
+        <source>Disk quota exceeded</source>
+        <translation>Der zugewiesene Speicherplatz ist überschritten</translation>
+    </message>
+    <message>
+        <source>Read-only file system</source>
+        <translation>Das Dateisystem ist nur lesbar</translation>
+    </message>
+    <message>
+        <source>File too large</source>
+        <translation>Die Datei ist zu groß</translation>
+    </message>
+    <message>
+        <source>File name too long</source>
+        <translation>Der Dateiname ist zu lang</translation>
+    </message>
+    <message>
+        <source>No such file or directory</source>
+        <translation>Datei oder Ordner nicht gefunden</translation>
+    </message>
+    <message>
+        <source>Is a directory</source>
+        <translation>Ist ein Ordner</translation>
+    </message>
+    <message>
+        <source>Not a directory</source>
+        <translation>Ist kein Ordner</translation>
+    </message>
+    <message>
+        <source>Too many levels of symbolic links</source>
+        <translation>Zu viele symbolische Verweise hintereinander</translation>
+    </message>
+    <message>
+        <source>Too many open files</source>
+        <translation>Zu viele offene Dateien</translation>
+    </message>
+    <message>
+        <source>Input/output error</source>
+        <translation>Ein-/Ausgabefehler</translation>
+    </message>
+    <message>
+        <source>Device or resource busy</source>
+        <translation>Das Gerät oder die Ressource ist belegt</translation>
+    </message>
+    <message>
+        <source>Stale file handle</source>
+        <translation>Die Datei auf dem Netzlaufwerk ist nicht mehr gültig</translation>
+    </message>
+    <message>
+        <source>is no image that can be read: PGM, PNG, JPG, BMP and TIFF can</source>
+        <translation>ist kein lesbares Bild: PGM, PNG, JPG, BMP und TIFF sind es</translation>
+    </message>
+    <message>
+        <source>is cut off: the image is not complete</source>
+        <translation>ist abgeschnitten: das Bild ist nicht vollständig</translation>
+    </message>
+    <message>
+        <source>is an image of %1 x %2 pixels</source>
+        <translation>ist ein Bild von %1 x %2 Pixeln</translation>
+    </message>
+    <message>
+        <source>is an image of %1 x %2 pixels; at most 30000 x 30000 are read</source>
+        <translation>ist ein Bild von %1 x %2 Pixeln; höchstens 30000 x 30000 werden gelesen</translation>
+    </message>
+    <message>
+        <source>claims %1 x %2 pixels, which its %3 bytes cannot hold</source>
+        <translation>gibt %1 x %2 Pixel an, die in seine %3 Bytes nicht passen</translation>
+    </message>
+    <message>
+        <source>is no image: its PNM header does not say width, height and largest value</source>
+        <translation>ist kein Bild: sein PNM-Kopf nennt Breite, Höhe und größten Wert nicht</translation>
+    </message>
+    <message>
+        <source>is damaged: wrong checksum in the PNG chunk at byte %1</source>
+        <translation>ist beschädigt: falsche Prüfsumme im PNG-Abschnitt bei Byte %1</translation>
+    </message>
+    <message>
+        <source>is damaged: no JPEG segment at byte %1</source>
+        <translation>ist beschädigt: kein JPEG-Segment bei Byte %1</translation>
+    </message>
+    <message>
+        <source>is damaged: empty JPEG segment at byte %1</source>
+        <translation>ist beschädigt: leeres JPEG-Segment bei Byte %1</translation>
+    </message>
+    <message>
+        <source>is damaged: a JPEG without a frame header</source>
+        <translation>ist beschädigt: ein JPEG ohne Bildkopf</translation>
+    </message>
+    <message>
+        <source>is no image: its TIFF directory has too many entries</source>
+        <translation>ist kein Bild: sein TIFF-Verzeichnis hat zu viele Einträge</translation>
+    </message>
+    <message>
+        <source>is no image: its TIFF directory does not say width and height</source>
+        <translation>ist kein Bild: sein TIFF-Verzeichnis nennt Breite und Höhe nicht</translation>
+    </message>
+    <message>
+        <source>is a damaged image</source>
+        <translation>ist ein beschädigtes Bild</translation>
+    </message>
+    <message>
+        <source>is a damaged image: its size is not the one its header says</source>
+        <translation>ist ein beschädigtes Bild: seine Größe ist nicht die, die sein Kopf nennt</translation>
+    </message>
+    <message>
+        <source>is too large an image for the memory of this machine</source>
+        <translation>ist ein zu großes Bild für den Speicher dieses Rechners</translation>
+    </message>
+    <message>
+        <source>is an image of an unusual kind: 8 or 16 bit grey or colour can be read</source>
+        <translation>ist ein Bild ungewöhnlicher Art: lesbar sind Grau oder Farbe mit 8 oder 16 Bit</translation>
+    </message>
+    <message>
+        <source>is an image of an unusual kind: grey, colour, or colour with alpha can be read</source>
+        <translation>ist ein Bild ungewöhnlicher Art: lesbar sind Grau, Farbe oder Farbe mit Alpha</translation>
+    </message>
+    <message>
+        <source>is an image with neither 8 nor 16 bits a sample</source>
+        <translation>ist ein Bild mit weder 8 noch 16 Bit je Wert</translation>
+    </message>
+    <message>
+        <source>pictures are written as .pgm or .png, not %1</source>
+        <translation>Bilder werden als .pgm oder .png geschrieben, nicht als %1</translation>
+    </message>
+    <message>
+        <source>a .pgm holds grey of 8 or 16 bits only; write a .png instead</source>
+        <translation>eine .pgm enthält nur Grau mit 8 oder 16 Bit; stattdessen eine .png schreiben</translation>
+    </message>
+    <message>
+        <source>a .png holds grey or colour of 8 or 16 bits only</source>
+        <translation>eine .png enthält nur Grau oder Farbe mit 8 oder 16 Bit</translation>
+    </message>
+    <message>
+        <source>the image cannot be encoded</source>
+        <translation>das Bild lässt sich nicht kodieren</translation>
+    </message>
+    <message>
+        <source>the image of a map must be a file name without folders</source>
+        <translation>das Bild einer Karte muss ein Dateiname ohne Ordner sein</translation>
+    </message>
+    <message>
+        <source>the PNG image is damaged: %1</source>
+        <translation>das PNG-Bild ist beschädigt: %1</translation>
+    </message>
+    <message>
+        <source>there is no room for the temporary tiles of this image</source>
+        <translation>für die vorübergehenden Kacheln dieses Bildes ist kein Platz</translation>
+    </message>
+    <message>
+        <source>Grey 205, which map_saver writes for unknown, counts as free with free_thresh %1; 0.196 would keep it unknown.</source>
+        <translation>Grau 205, das map_saver für Unbekannt schreibt, zählt mit free_thresh %1 als frei; mit 0.196 bliebe es unbekannt.</translation>
+    </message>
+    <message>
+        <source>%1 pixels were read as %2 read them; %3 would read them differently.</source>
+        <translation>%1 Pixel wurden gelesen, wie %2 sie lesen; %3 würden sie anders lesen.</translation>
+    </message>
+    <message>
+        <source>ROS 2 jazzy and later</source>
+        <translation>ROS 2 Jazzy und spätere</translation>
+    </message>
+    <message>
+        <source>ROS 1 and ROS 2 up to humble</source>
+        <translation>ROS 1 und ROS 2 bis Humble</translation>
+    </message>
+    <message>
+        <source>is too large for a map YAML</source>
+        <translation>ist zu groß für die YAML-Datei einer Karte</translation>
+    </message>
+    <message>
+        <source>is not valid YAML (%1)</source>
+        <translation>ist kein gültiges YAML (%1)</translation>
+    </message>
+    <message>
+        <source>aliases (*name) are not read</source>
+        <translation>Aliase (*name) werden nicht gelesen</translation>
+    </message>
+    <message>
+        <source>the values are nested too deeply</source>
+        <translation>die Werte sind zu tief verschachtelt</translation>
+    </message>
+    <message>
+        <source>a map needs lines such as `image: map.pgm`</source>
+        <translation>eine Karte braucht Zeilen wie `image: map.pgm`</translation>
+    </message>
+    <message>
+        <source>a key must be a word</source>
+        <translation>ein Schlüssel muss ein Wort sein</translation>
+    </message>
+    <message>
+        <source>holds no map: image and resolution are missing</source>
+        <translation>enthält keine Karte: image und resolution fehlen</translation>
+    </message>
+    <message>
+        <source>the key %1 is missing</source>
+        <translation>der Schlüssel %1 fehlt</translation>
+    </message>
+    <message>
+        <source>the key %1 already stands in line %2</source>
+        <translation>der Schlüssel %1 steht schon in Zeile %2</translation>
+    </message>
+    <message>
+        <source>%1 must be one value, not a list</source>
+        <translation>%1 muss ein einzelner Wert sein, keine Liste</translation>
+    </message>
+    <message>
+        <source>%1 must be a number from %2 to %3, not %4</source>
+        <translation>%1 muss eine Zahl von %2 bis %3 sein, nicht %4</translation>
+    </message>
+    <message>
+        <source>image must name an image file</source>
+        <translation>image muss eine Bilddatei nennen</translation>
+    </message>
+    <message>
+        <source>image is no file name: %1</source>
+        <translation>image ist kein Dateiname: %1</translation>
+    </message>
+    <message>
+        <source>origin must be a list of three numbers [x, y, yaw]</source>
+        <translation>origin muss eine Liste von drei Zahlen [x, y, yaw] sein</translation>
+    </message>
+    <message>
+        <source>origin holds %1, no finite number</source>
+        <translation>origin enthält %1, keine endliche Zahl</translation>
+    </message>
+    <message>
+        <source>free_thresh must not be above occupied_thresh, which is %1</source>
+        <translation>free_thresh darf nicht über occupied_thresh liegen, das %1 ist</translation>
+    </message>
+    <message>
+        <source>negate must be 0 or 1, not %1</source>
+        <translation>negate muss 0 oder 1 sein, nicht %1</translation>
+    </message>
+    <message>
+        <source>mode must be trinary, scale or raw, not %1</source>
+        <translation>mode muss trinary, scale oder raw sein, nicht %1</translation>
+    </message>
+    <message>
+        <source>The yaw of origin is not a number and was read as 0.</source>
+        <translation>Die Drehung in origin ist keine Zahl und wurde als 0 gelesen.</translation>
+    </message>
+    <message>
+        <source>The map is turned by a yaw of %1 rad in origin: RViz shows that, navigation and localisation of ROS ignore it.</source>
+        <translation>Die Karte ist in origin um %1 rad gedreht: RViz zeigt das, Navigation und Lokalisierung von ROS übergehen es.</translation>
+    </message>
+    <message>
+        <source>holds no anchors</source>
+        <translation>enthält keine Anker</translation>
+    </message>
+    <message>
+        <source>is UTF-16 text; save it as UTF-8</source>
+        <translation>ist UTF-16-Text; als UTF-8 speichern</translation>
+    </message>
+    <message>
+        <source>the column %1 stands twice in the header</source>
+        <translation>die Spalte %1 steht zweimal in der Kopfzeile</translation>
+    </message>
+    <message>
+        <source>the header has no column %1, which anchors need</source>
+        <translation>die Kopfzeile hat keine Spalte %1, die Anker brauchen</translation>
+    </message>
+    <message>
+        <source>more than %1 lines are no anchors</source>
+        <translation>mehr als %1 Zeilen sind keine Anker</translation>
+    </message>
+    <message>
+        <source>no line can be read as an anchor; the first one %1</source>
+        <translation>keine Zeile lässt sich als Anker lesen; die erste: %1</translation>
+    </message>
+    <message>
+        <source>has %1 of at least %2 fields</source>
+        <translation>hat %1 von mindestens %2 Feldern</translation>
+    </message>
+    <message>
+        <source>has too few fields</source>
+        <translation>hat zu wenige Felder</translation>
+    </message>
+    <message>
+        <source>has a quote that is never closed</source>
+        <translation>hat ein Anführungszeichen, das nie geschlossen wird</translation>
+    </message>
+    <message>
+        <source>has text behind a closing quote</source>
+        <translation>hat Text hinter einem schließenden Anführungszeichen</translation>
+    </message>
+    <message>
+        <source>the id %1 is not a whole number</source>
+        <translation>die id %1 ist keine ganze Zahl</translation>
+    </message>
+    <message>
+        <source>the id %1 already stands in line %2</source>
+        <translation>die id %1 steht schon in Zeile %2</translation>
+    </message>
+    <message>
+        <source>%1 is not a finite number</source>
+        <translation>%1 ist keine endliche Zahl</translation>
+    </message>
+    <message>
+        <source>enabled is %1, not 1 or 0</source>
+        <translation>enabled ist %1, nicht 1 oder 0</translation>
+    </message>
+    <message>
+        <source>enable is %1, not 1 or 0</source>
+        <translation>enable ist %1, nicht 1 oder 0</translation>
+    </message>
+    <message>
+        <source>holds no &quot;CorrespondenceAnchor&quot;</source>
+        <translation>enthält kein &quot;CorrespondenceAnchor&quot;</translation>
+    </message>
+    <message>
+        <source>more than %1 objects are no anchors</source>
+        <translation>mehr als %1 Objekte sind keine Anker</translation>
+    </message>
+    <message>
+        <source>no anchor can be read: %1</source>
+        <translation>kein Anker lässt sich lesen: %1</translation>
+    </message>
+    <message>
+        <source>expected %1 instead of %2</source>
+        <translation>%1 erwartet statt %2</translation>
+    </message>
+    <message>
+        <source>a finite number</source>
+        <translation>eine endliche Zahl</translation>
+    </message>
+    <message>
+        <source>_cad_point or _slam_point</source>
+        <translation>_cad_point oder _slam_point</translation>
+    </message>
+    <message>
+        <source>the end of the file</source>
+        <translation>des Dateiendes</translation>
+    </message>
+    <message>
+        <source>holds points of QGIS, which are pixels of two images; import it in the app with both of them loaded and export the anchors from there</source>
+        <translation>enthält Punkte von QGIS, die Pixel zweier Bilder sind; in der App importieren, wenn beide geladen sind, und die Anker von dort exportieren</translation>
+    </message>
+    <message>
+        <source>Points of QGIS are pixels: load both images first</source>
+        <translation>Punkte von QGIS sind Pixel: zuerst beide Bilder laden</translation>
+    </message>
+    <message>
+        <source>has no header with the columns mapX, mapY, sourceX and sourceY</source>
+        <translation>hat keine Kopfzeile mit den Spalten mapX, mapY, sourceX und sourceY</translation>
+    </message>
+    <message>
+        <source>holds no points</source>
+        <translation>enthält keine Punkte</translation>
+    </message>
+    <message>
+        <source>more than %1 lines are no points</source>
+        <translation>mehr als %1 Zeilen sind keine Punkte</translation>
+    </message>
+    <message>
+        <source>its points do not lie in these two maps, neither as metres nor as pixels; were they made with them?</source>
+        <translation>seine Punkte liegen nicht in diesen beiden Karten, weder als Meter noch als Pixel; wurden sie mit ihnen gemacht?</translation>
+    </message>
+    <message>
+        <source>is not a project of CAD2SLAM</source>
+        <translation>ist kein Projekt von CAD2SLAM</translation>
+    </message>
+    <message>
+        <source>was written by a newer program (format %1); this one reads format %2</source>
+        <translation>wurde von einem neueren Programm geschrieben (Format %1); dieses liest Format %2</translation>
+    </message>
+    <message>
+        <source>is too large for a project</source>
+        <translation>ist zu groß für ein Projekt</translation>
+    </message>
+    <message>
+        <source>cannot name the file %1, which is not UTF-8</source>
+        <translation>kann die Datei %1 nicht nennen, deren Name kein UTF-8 ist</translation>
+    </message>
+    <message>
+        <source>is no text: it holds zero bytes</source>
+        <translation>ist kein Text: es enthält Nullbytes</translation>
+    </message>
+    <message>
+        <source>is not valid JSON</source>
+        <translation>ist kein gültiges JSON</translation>
+    </message>
+    <message>
+        <source>is nested too deeply</source>
+        <translation>ist zu tief verschachtelt</translation>
+    </message>
+    <message>
+        <source>has the key %1 twice in one object</source>
+        <translation>hat den Schlüssel %1 zweimal in einem Objekt</translation>
+    </message>
+    <message>
+        <source>the document</source>
+        <translation>das Dokument</translation>
+    </message>
+    <message>
+        <source>%1 is missing</source>
+        <translation>%1 fehlt</translation>
+    </message>
+    <message>
+        <source>%1 must be an object</source>
+        <translation>%1 muss ein Objekt sein</translation>
+    </message>
+    <message>
+        <source>%1 must be a list</source>
+        <translation>%1 muss eine Liste sein</translation>
+    </message>
+    <message>
+        <source>%1 must be a list of two numbers</source>
+        <translation>%1 muss eine Liste von zwei Zahlen sein</translation>
+    </message>
+    <message>
+        <source>%1 must be a list of three numbers: x, y, yaw</source>
+        <translation>%1 muss eine Liste von drei Zahlen sein: x, y, Drehung</translation>
+    </message>
+    <message>
+        <source>%1 must be a text</source>
+        <translation>%1 muss ein Text sein</translation>
+    </message>
+    <message>
+        <source>%1 must be true or false</source>
+        <translation>%1 muss true oder false sein</translation>
+    </message>
+    <message>
+        <source>%1 must be a finite number in its range</source>
+        <translation>%1 muss eine endliche Zahl in ihrem Bereich sein</translation>
+    </message>
+    <message>
+        <source>%1 must be a whole number in its range</source>
+        <translation>%1 muss eine ganze Zahl in ihrem Bereich sein</translation>
+    </message>
+    <message>
+        <source>%1 must be 64 hexadecimal digits</source>
+        <translation>%1 muss aus 64 hexadezimalen Ziffern bestehen</translation>
+    </message>
+    <message>
+        <source>%1 must not be above occupied_thresh</source>
+        <translation>%1 darf nicht über occupied_thresh liegen</translation>
+    </message>
+    <message>
+        <source>%1 must not be empty</source>
+        <translation>%1 darf nicht leer sein</translation>
+    </message>
+    <message>
+        <source>%1 is not one of the words known here</source>
+        <translation>%1 ist keines der hier bekannten Wörter</translation>
+    </message>
+    <message>
+        <source>%1 is no file name</source>
+        <translation>%1 ist kein Dateiname</translation>
+    </message>
+    <message>
+        <source>%1 is the name of another map, too: %2</source>
+        <translation>%1 ist auch der Name einer anderen Karte: %2</translation>
+    </message>
+    <message>
+        <source>%1 stands twice</source>
+        <translation>%1 steht zweimal</translation>
+    </message>
+    <message>
+        <source>%1 stands twice: %2</source>
+        <translation>%1 steht zweimal: %2</translation>
+    </message>
+    <message>
+        <source>is not a projector file of CAD2SLAM</source>
+        <translation>ist keine Projektordatei von CAD2SLAM</translation>
+    </message>
+    <message>
+        <source>has no known version</source>
+        <translation>hat keine bekannte Version</translation>
+    </message>
+    <message>
+        <source>has format version %1; this program reads %2.x</source>
+        <translation>hat die Formatversion %1; dieses Programm liest %2.x</translation>
+    </message>
+    <message>
+        <source>needs more memory than there is</source>
+        <translation>braucht mehr Speicher, als da ist</translation>
+    </message>
+    <message>
+        <source>is no projector file: it has only %1 bytes</source>
+        <translation>ist keine Projektordatei: sie hat nur %1 Bytes</translation>
+    </message>
+    <message>
+        <source>is no projector file: its header would be too long</source>
+        <translation>ist keine Projektordatei: ihr Kopf wäre zu lang</translation>
+    </message>
+    <message>
+        <source>is no projector file: zero bytes in its header</source>
+        <translation>ist keine Projektordatei: Nullbytes in ihrem Kopf</translation>
+    </message>
+    <message>
+        <source>is cut off inside its header</source>
+        <translation>ist in ihrem Kopf abgeschnitten</translation>
+    </message>
+    <message>
+        <source>is cut off: %1 bytes are missing</source>
+        <translation>ist abgeschnitten: %1 Bytes fehlen</translation>
+    </message>
+    <message>
+        <source>has %1 bytes too many</source>
+        <translation>hat %1 Bytes zu viel</translation>
+    </message>
+    <message>
+        <source>is damaged: its header was changed</source>
+        <translation>ist beschädigt: ihr Kopf wurde verändert</translation>
+    </message>
+    <message>
+        <source>is damaged: its data do not have the SHA-256 they should</source>
+        <translation>ist beschädigt: ihre Daten haben nicht den SHA-256, den sie haben sollten</translation>
+    </message>
+    <message>
+        <source>has no data_sha256</source>
+        <translation>hat kein data_sha256</translation>
+    </message>
+    <message>
+        <source>has no array %1</source>
+        <translation>hat keine Liste %1</translation>
+    </message>
+    <message>
+        <source>has an array %1 that is not %2 in %3 columns</source>
+        <translation>hat eine Liste %1, die nicht %2 in %3 Spalten ist</translation>
+    </message>
+    <message>
+        <source>has node arrays of different lengths</source>
+        <translation>hat Knotenlisten verschiedener Länge</translation>
+    </message>
+    <message>
+        <source>has an edge to a node that does not exist</source>
+        <translation>hat eine Kante zu einem Knoten, den es nicht gibt</translation>
+    </message>
+    <message>
+        <source>has an anchor that is not finite</source>
+        <translation>hat einen Anker, der nicht endlich ist</translation>
+    </message>
+    <message>
+        <source>has a check pose that is not finite</source>
+        <translation>hat eine Prüfpose, die nicht endlich ist</translation>
+    </message>
+    <message>
+        <source>does not reproduce its own check pose %1</source>
+        <translation>gibt ihre eigene Prüfpose %1 nicht wieder</translation>
+    </message>
+    <message>
+        <source>has an array of unknown type or impossible size: %1</source>
+        <translation>hat eine Liste von unbekanntem Typ oder unmöglicher Größe: %1</translation>
+    </message>
+    <message>
+        <source>has an array whose range does not fit its shape: %1</source>
+        <translation>hat eine Liste, deren Bereich nicht zu ihrer Form passt: %1</translation>
+    </message>
+    <message>
+        <source>has arrays that overlap or leave a gap at byte %1</source>
+        <translation>hat Listen, die sich überlappen oder eine Lücke lassen, bei Byte %1</translation>
+    </message>
+    <message>
+        <source>has a header that %1</source>
+        <translation>hat einen unlesbaren Kopf: er %1</translation>
+    </message>
+    <message>
+        <source>is no JSON object</source>
+        <translation>ist kein JSON-Objekt</translation>
+    </message>
+    <message>
+        <source>is not valid JSON at byte %1</source>
+        <translation>ist kein gültiges JSON bei Byte %1</translation>
+    </message>
+    <message>
+        <source>has the name %1 twice</source>
+        <translation>hat den Namen %1 zweimal</translation>
+    </message>
+    <message>
+        <source>has the key %1 twice in %2</source>
+        <translation>hat den Schlüssel %1 zweimal in %2</translation>
+    </message>
+    <message>
+        <source>has the unknown key %1 in %2</source>
+        <translation>hat den unbekannten Schlüssel %1 in %2</translation>
+    </message>
+    <message>
+        <source>has too many arrays</source>
+        <translation>hat zu viele Listen</translation>
+    </message>
+    <message>
+        <source>has too long a list in %1</source>
+        <translation>hat eine zu lange Liste in %1</translation>
+    </message>
+    <message>
+        <source>does not say dtype, shape and data_offsets of %1</source>
+        <translation>nennt dtype, shape und data_offsets von %1 nicht</translation>
+    </message>
+    <message>
+        <source>has data_offsets that are not two numbers in %1</source>
+        <translation>hat data_offsets, die keine zwei Zahlen sind, in %1</translation>
+    </message>
+    <message>
+        <source>has %1 where it should not, in %2</source>
+        <translation>hat %1, wo das nicht stehen sollte, in %2</translation>
+    </message>
+    <message>
+        <source>null</source>
+        <translation>null</translation>
+    </message>
+    <message>
+        <source>a truth value</source>
+        <translation>einen Wahrheitswert</translation>
+    </message>
+    <message>
+        <source>a number</source>
+        <translation>eine Zahl</translation>
+    </message>
+    <message>
+        <source>a negative number</source>
+        <translation>eine negative Zahl</translation>
+    </message>
+    <message>
+        <source>a number with a fraction</source>
+        <translation>eine gebrochene Zahl</translation>
+    </message>
+    <message>
+        <source>binary data</source>
+        <translation>Binärdaten</translation>
+    </message>
+    <message>
+        <source>a text</source>
+        <translation>einen Text</translation>
+    </message>
+    <message>
+        <source>an object</source>
+        <translation>ein Objekt</translation>
+    </message>
+    <message>
+        <source>a list</source>
+        <translation>eine Liste</translation>
+    </message>
+    <message>
+        <source>the metadata %1 is missing</source>
+        <translation>die Angabe %1 fehlt in den Metadaten</translation>
+    </message>
+    <message>
+        <source>the metadata %1 is %2, not a finite number</source>
+        <translation>die Angabe %1 in den Metadaten ist %2, keine endliche Zahl</translation>
+    </message>
+    <message>
+        <source>the metadata %1 is %2, not a whole number from 0 on</source>
+        <translation>die Angabe %1 in den Metadaten ist %2, keine ganze Zahl ab 0</translation>
+    </message>
+    <message>
+        <source>the metadata %1 is %2, which is not known</source>
+        <translation>die Angabe %1 in den Metadaten ist %2, was nicht bekannt ist</translation>
+    </message>
+    <message>
+        <source>the metadata %1 is not 64 hexadecimal digits</source>
+        <translation>die Angabe %1 in den Metadaten besteht nicht aus 64 hexadezimalen Ziffern</translation>
+    </message>
+    <message>
+        <source>There is not enough memory for this; use larger cells or a smaller image</source>
+        <translation>Dafür reicht der Speicher nicht; größere Zellen oder ein kleineres Bild nehmen</translation>
+    </message>
+    <message>
+        <source>Something went wrong inside the program</source>
+        <translation>Im Programm ist etwas schiefgegangen</translation>
+    </message>
+    <message>
+        <source>Something went wrong inside the program: %1</source>
+        <translation>Im Programm ist etwas schiefgegangen: %1</translation>
+    </message>
+    <message>
+        <source>not loaded</source>
+        <translation>nicht geladen</translation>
+    </message>
+    <message>
+        <source>there is nothing to lay over the map</source>
+        <translation>es gibt nichts, was über die Karte gelegt werden könnte</translation>
+    </message>
+    <message>
+        <source>There is no up-to-date alignment to export</source>
+        <translation>Es gibt keine aktuelle Ausrichtung zum Exportieren</translation>
+    </message>
+    <message>
+        <source>The export was cancelled, nothing was written</source>
+        <translation>Der Export wurde abgebrochen, nichts wurde geschrieben</translation>
+    </message>
+    <message>
+        <source>The file reads back with other values</source>
+        <translation>Die Datei liest sich mit anderen Werten zurück</translation>
+    </message>
+    <message>
+        <source>The file reads back with other values: do not use it</source>
+        <translation>Die Datei liest sich mit anderen Werten zurück: nicht benutzen</translation>
+    </message>
+    <message>
+        <source>Going there and back through the file does not return to the start</source>
+        <translation>Hin und zurück durch die Datei führt nicht zum Ausgangspunkt</translation>
+    </message>
+    <message>
+        <source>1 part of the free space (1 node) is not connected to any anchor and only follows the global fit.</source>
+        <translation>1 Teil der freien Fläche (1 Knoten) ist mit keinem Anker verbunden und folgt nur der globalen Ausrichtung.</translation>
+    </message>
+    <message>
+        <source>1 part of the free space (%1 nodes) is not connected to any anchor and only follows the global fit.</source>
+        <translation>1 Teil der freien Fläche (%1 Knoten) ist mit keinem Anker verbunden und folgt nur der globalen Ausrichtung.</translation>
+    </message>
+    <message>
+        <source>%1 parts of the free space (%2 nodes) are not connected to any anchor and only follow the global fit.</source>
+        <translation>%1 Teile der freien Fläche (%2 Knoten) sind mit keinem Anker verbunden und folgen nur der globalen Ausrichtung.</translation>
+    </message>
+</context>
+<context>
     <name>Hints</name>
     <message>
         <source>Choose the blueprint: drop its YAML or image into the left view</source>
@@ -127,6 +1146,10 @@
         <source>No anchor is used: switch some on in the table, or place new ones</source>
         <translation>Kein Anker wird verwendet: in der Tabelle einschalten oder neue setzen</translation>
     </message>
+    <message>
+        <source>failed: %1</source>
+        <translation>fehlgeschlagen: %1</translation>
+    </message>
 </context>
 <context>
     <name>Menus</name>
@@ -194,10 +1217,6 @@
         <translation>&lt;h3&gt;CAD2SLAM %1&lt;/h3&gt;&lt;p&gt;Überträgt Posen zwischen Bauplänen und SLAM-Karten von Robotern.&lt;/p&gt;&lt;p&gt;Apache-Lizenz 2.0. Verwendet Qt, Ceres, SuiteSparse, OpenCV und Eigen.&lt;/p&gt;</translation>
     </message>
     <message>
-        <source>Preview</source>
-        <translation>Vorschau</translation>
-    </message>
-    <message>
         <source>Blueprint</source>
         <translation>Bauplan</translation>
     </message>
@@ -244,6 +1263,34 @@
     <message>
         <source>the clipboard</source>
         <translation>der Zwischenablage</translation>
+    </message>
+    <message>
+        <source>Both maps: blueprint magenta, SLAM map green, dark where they agree</source>
+        <translation>Beide Karten: Bauplan magenta, SLAM-Karte grün, dunkel wo sie übereinstimmen</translation>
+    </message>
+    <message>
+        <source>Test pose in the blueprint</source>
+        <translation>Testpose im Bauplan</translation>
+    </message>
+    <message>
+        <source>Test pose in the SLAM map</source>
+        <translation>Testpose in der SLAM-Karte</translation>
+    </message>
+    <message>
+        <source>&amp;x (m):</source>
+        <translation>&amp;x (m):</translation>
+    </message>
+    <message>
+        <source>&amp;y (m):</source>
+        <translation>&amp;y (m):</translation>
+    </message>
+    <message>
+        <source>&amp;Heading (degrees):</source>
+        <translation>&amp;Richtung (Grad):</translation>
+    </message>
+    <message>
+        <source>A pose of the SLAM map can be shown once there is an alignment</source>
+        <translation>Eine Pose der SLAM-Karte kann gezeigt werden, sobald es eine Ausrichtung gibt</translation>
     </message>
 </context>
 <context>
@@ -917,6 +1964,22 @@
         <source>Take the poses from file or clipboard away again</source>
         <translation>Die Posen aus Datei oder Zwischenablage wieder wegnehmen</translation>
     </message>
+    <message>
+        <source>Place a &amp;point in the middle</source>
+        <translation>&amp;Punkt in der Mitte setzen</translation>
+    </message>
+    <message>
+        <source>As a click in the middle of the view, where the arrow keys have moved it</source>
+        <translation>Wie ein Klick in die Mitte der Ansicht, wohin die Pfeiltasten sie geschoben haben</translation>
+    </message>
+    <message>
+        <source>Test pose by &amp;numbers...</source>
+        <translation>Testpose als &amp;Zahlen...</translation>
+    </message>
+    <message>
+        <source>Put the robot to x, y and heading in the frame of this view</source>
+        <translation>Den Roboter auf x, y und Richtung in den Koordinaten dieser Ansicht setzen</translation>
+    </message>
 </context>
 <context>
     <name>cad2slam::AnchorEditing</name>
@@ -990,6 +2053,30 @@
     <message>
         <source>Unlock</source>
         <translation>Entsperren</translation>
+    </message>
+    <message>
+        <source>Coordinates of anchor %1</source>
+        <translation>Koordinaten von Anker %1</translation>
+    </message>
+    <message>
+        <source>New anchor %1</source>
+        <translation>Neuer Anker %1</translation>
+    </message>
+    <message>
+        <source>Blueprint &amp;x (m):</source>
+        <translation>Bauplan &amp;x (m):</translation>
+    </message>
+    <message>
+        <source>Blueprint &amp;y (m):</source>
+        <translation>Bauplan &amp;y (m):</translation>
+    </message>
+    <message>
+        <source>&amp;SLAM map x (m):</source>
+        <translation>&amp;SLAM-Karte x (m):</translation>
+    </message>
+    <message>
+        <source>SLAM &amp;map y (m):</source>
+        <translation>SLAM-&amp;Karte y (m):</translation>
     </message>
 </context>
 <context>
@@ -1137,6 +2224,14 @@
         <source>● OK, ◆ have a look, ■ bad, ○ off; the limits are in the settings</source>
         <translation>● OK, ◆ ansehen, ■ schlecht, ○ aus; die Grenzen stehen in den Einstellungen</translation>
     </message>
+    <message>
+        <source>In the image at %1, %2 px</source>
+        <translation>Im Bild bei %1, %2 px</translation>
+    </message>
+    <message>
+        <source>%1 (%2 px)</source>
+        <translation>%1 (%2 px)</translation>
+    </message>
 </context>
 <context>
     <name>cad2slam::Autosave</name>
@@ -1272,33 +2367,6 @@
     </message>
 </context>
 <context>
-    <name>cad2slam::CoordinatesDialog</name>
-    <message>
-        <source>Coordinates of anchor %1</source>
-        <translation>Koordinaten von Anker %1</translation>
-    </message>
-    <message>
-        <source>New anchor %1</source>
-        <translation>Neuer Anker %1</translation>
-    </message>
-    <message>
-        <source>Blueprint &amp;x (m):</source>
-        <translation>Bauplan &amp;x (m):</translation>
-    </message>
-    <message>
-        <source>Blueprint &amp;y (m):</source>
-        <translation>Bauplan &amp;y (m):</translation>
-    </message>
-    <message>
-        <source>&amp;SLAM map x (m):</source>
-        <translation>&amp;SLAM-Karte x (m):</translation>
-    </message>
-    <message>
-        <source>SLAM &amp;map y (m):</source>
-        <translation>SLAM-&amp;Karte y (m):</translation>
-    </message>
-</context>
-<context>
     <name>cad2slam::DiagnosisMessages</name>
     <message>
         <source>Show</source>
@@ -1415,6 +2483,14 @@
             <numerusform>%n Anker liegt, wo die SLAM-Karte weder Boden noch Wand zeigt: %1</numerusform>
             <numerusform>%n Anker liegen, wo die SLAM-Karte weder Boden noch Wand zeigt: %1</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Show a good place</source>
+        <translation>Gute Stelle zeigen</translation>
+    </message>
+    <message>
+        <source>Blueprint %1 m, SLAM map %2 m between the two anchors (%3 %): the scale of the blueprint fits</source>
+        <translation>Bauplan %1 m, SLAM-Karte %2 m zwischen den zwei Ankern (%3 %): der Maßstab des Bauplans passt</translation>
     </message>
 </context>
 <context>
@@ -1705,6 +2781,10 @@ Karten-YAML, PGM, PNG oder TIFF</translation>
         <source>Residuals drawn %1 times as long</source>
         <translation>Restfehler %1-mal so lang gezeichnet</translation>
     </message>
+    <message>
+        <source>Reading the image, %1 %</source>
+        <translation>Das Bild wird gelesen, %1 %</translation>
+    </message>
 </context>
 <context>
     <name>cad2slam::MessageBar</name>
@@ -1726,6 +2806,22 @@ Karten-YAML, PGM, PNG oder TIFF</translation>
     <message>
         <source>Close this message</source>
         <translation>Diese Meldung schließen</translation>
+    </message>
+</context>
+<context>
+    <name>cad2slam::PreviewLegend</name>
+    <message>
+        <source>%1 %</source>
+        <comment>per cent</comment>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>Mesh: length against rest</source>
+        <translation>Netz: Länge gegen Ruhelänge</translation>
+    </message>
+    <message>
+        <source>crosses: the mesh folds</source>
+        <translation>Kreuze: das Netz faltet sich</translation>
     </message>
 </context>
 <context>
@@ -1842,10 +2938,6 @@ Karten-YAML, PGM, PNG oder TIFF</translation>
         <translation>Linse</translation>
     </message>
     <message>
-        <source>Mesh: length against rest</source>
-        <translation>Netz: Länge gegen Ruhelänge</translation>
-    </message>
-    <message>
         <source>Local scale against the mean</source>
         <translation>Örtlicher Maßstab gegen das Mittel</translation>
     </message>
@@ -1892,10 +2984,6 @@ Karten-YAML, PGM, PNG oder TIFF</translation>
     <message>
         <source>%1 over %2</source>
         <translation>%1 über %2</translation>
-    </message>
-    <message>
-        <source>crosses: the mesh folds</source>
-        <translation>Kreuze: das Netz faltet sich</translation>
     </message>
     <message>
         <source>good</source>
@@ -2391,6 +3479,37 @@ Karten-YAML, PGM, PNG oder TIFF</translation>
     <message>
         <source>The image %1 could not be read: %2</source>
         <translation>Das Bild %1 konnte nicht gelesen werden: %2</translation>
+    </message>
+</context>
+<context>
+    <name>cad2slam::Tips</name>
+    <message>
+        <source>O shows the next way to compare the maps; hold B to see one map alone</source>
+        <translation>O zeigt die nächste Art, die Karten zu vergleichen; B gehalten zeigt eine Karte allein</translation>
+    </message>
+    <message>
+        <source>N goes to the anchor with the largest error, and shows it in both views</source>
+        <translation>N geht zum Anker mit dem größten Fehler und zeigt ihn in beiden Ansichten</translation>
+    </message>
+    <message>
+        <source>R shows a robot to drag: where it is in one map, and where in the other</source>
+        <translation>R zeigt einen Roboter zum Ziehen: wo er in der einen Karte ist und wo in der anderen</translation>
+    </message>
+    <message>
+        <source>F1 shows all keys</source>
+        <translation>F1 zeigt alle Tasten</translation>
+    </message>
+    <message>
+        <source>Tip: %1</source>
+        <translation>Tipp: %1</translation>
+    </message>
+    <message>
+        <source>No more tips</source>
+        <translation>Keine Tipps mehr</translation>
+    </message>
+    <message>
+        <source>Arrow keys move the selected anchor by one pixel; hold Z to see it four times larger</source>
+        <translation>Pfeiltasten schieben den gewählten Anker um ein Pixel; Z gehalten vergrößert vierfach</translation>
     </message>
 </context>
 <context>

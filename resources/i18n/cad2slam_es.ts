@@ -2,6 +2,1025 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="es_ES">
 <context>
+    <name>Engine</name>
+    <message>
+        <source>anchor %1</source>
+        <translation>ancla %1</translation>
+    </message>
+    <message>
+        <source>projector</source>
+        <translation>proyector</translation>
+    </message>
+    <message>
+        <source>its number is used twice</source>
+        <translation>su número se usa dos veces</translation>
+    </message>
+    <message>
+        <source>its coordinates are not finite numbers</source>
+        <translation>sus coordenadas no son números finitos</translation>
+    </message>
+    <message>
+        <source>its point lies %1 outside the blueprint; correct or disable it</source>
+        <translation>su punto está %1 fuera del plano; corrija o apague el ancla</translation>
+    </message>
+    <message>
+        <source>its point lies %1 outside the SLAM map; correct or disable it</source>
+        <translation>su punto está %1 fuera del mapa SLAM; corrija o apague el ancla</translation>
+    </message>
+    <message>
+        <source>anchors %1 and %2 share a blueprint point but are %3 apart in the SLAM map; correct or disable one of them</source>
+        <translation>las anclas %1 y %2 comparten un punto del plano, pero en el mapa SLAM están a %3; corrija o apague una de ellas</translation>
+    </message>
+    <message>
+        <source>anchors %1 and %2 share a SLAM map point but are %3 apart in the blueprint; correct or disable one of them</source>
+        <translation>las anclas %1 y %2 comparten un punto del mapa SLAM, pero en el plano están a %3; corrija o apague una de ellas</translation>
+    </message>
+    <message>
+        <source>no pair of corresponding points to align with</source>
+        <translation>no hay ningún par de puntos correspondientes con el que alinear</translation>
+    </message>
+    <message>
+        <source>a pair of corresponding points is not finite</source>
+        <translation>un par de puntos correspondientes no es finito</translation>
+    </message>
+    <message>
+        <source>all points are at one place, so rotation and scale are unknown</source>
+        <translation>todos los puntos están en un mismo lugar, así que no se conocen el giro ni la escala</translation>
+    </message>
+    <message>
+        <source>the points do not determine a rotation and a scale</source>
+        <translation>los puntos no determinan un giro y una escala</translation>
+    </message>
+    <message>
+        <source>the resolution of a map must be a positive number of metres per pixel</source>
+        <translation>la resolución de un mapa debe ser un número positivo de metros por píxel</translation>
+    </message>
+    <message>
+        <source>a map must be at least one pixel wide and high</source>
+        <translation>un mapa debe tener al menos un píxel de ancho y de alto</translation>
+    </message>
+    <message>
+        <source>the origin of a map must be three finite numbers</source>
+        <translation>el origen de un mapa debe constar de tres números finitos</translation>
+    </message>
+    <message>
+        <source>the cell size must be a positive number of metres</source>
+        <translation>el tamaño de celda debe ser un número positivo de metros</translation>
+    </message>
+    <message>
+        <source>cells of %1 m give a mesh of more than %2 nodes; choose a larger cell size</source>
+        <translation>con celdas de %1 m la malla tiene más de %2 nodos; elija un tamaño de celda mayor</translation>
+    </message>
+    <message>
+        <source>the blueprint has no free pixel, so there is nothing to mesh</source>
+        <translation>el plano no tiene ningún píxel libre, así que no hay nada que mallar</translation>
+    </message>
+    <message>
+        <source>the mesh needs a finite, positive cell size and a finite origin</source>
+        <translation>la malla necesita un tamaño de celda finito y positivo y un origen finito</translation>
+    </message>
+    <message>
+        <source>the mesh has no node</source>
+        <translation>la malla no tiene ningún nodo</translation>
+    </message>
+    <message>
+        <source>the mesh has %1 centres for %2 tiles</source>
+        <translation>la malla tiene %1 centros para %2 teselas</translation>
+    </message>
+    <message>
+        <source>the mesh has a node at no finite place</source>
+        <translation>la malla tiene un nodo en un lugar que no es finito</translation>
+    </message>
+    <message>
+        <source>the mesh has two nodes on one tile</source>
+        <translation>la malla tiene dos nodos en una misma tesela</translation>
+    </message>
+    <message>
+        <source>there is no enabled anchor; at least one pair of corresponding points is needed</source>
+        <translation>no hay ninguna ancla activa; se necesita al menos un par de puntos correspondientes</translation>
+    </message>
+    <message>
+        <source>the scale must be a positive number</source>
+        <translation>la escala debe ser un número positivo</translation>
+    </message>
+    <message>
+        <source>the mesh of %1 nodes is too large for the memory of this computer; choose a larger cell size</source>
+        <translation>la malla de %1 nodos es demasiado grande para la memoria de este equipo; elija un tamaño de celda mayor</translation>
+    </message>
+    <message>
+        <source>the optimisation was cancelled</source>
+        <translation>la optimización se canceló</translation>
+    </message>
+    <message>
+        <source>the optimisation found no finite minimum; check the anchors and the weights</source>
+        <translation>la optimización no halló un mínimo finito; compruebe las anclas y los pesos</translation>
+    </message>
+    <message>
+        <source>the anchors do not determine the mesh; add anchors or enable some</source>
+        <translation>las anclas no determinan la malla; añada anclas o active algunas</translation>
+    </message>
+    <message>
+        <source>One place is anchored: only the translation is known; add an anchor far away from it.</source>
+        <translation>Hay un solo lugar anclado: solo se conoce la traslación; añada un ancla lejos de él.</translation>
+    </message>
+    <message>
+        <source>Two places are anchored: only rotation and translation are known; a third anchor lets the mesh bend.</source>
+        <translation>Hay dos lugares anclados: solo se conocen el giro y la traslación; con una tercera ancla la malla puede doblarse.</translation>
+    </message>
+    <message>
+        <source>The optimisation stopped after %1 iterations before it had converged.</source>
+        <translation>La optimización se detuvo tras %1 iteraciones, antes de converger.</translation>
+    </message>
+    <message>
+        <source>The planner needs a positive step, and a radius, clearance and clearance cost that are not negative</source>
+        <translation>El planificador necesita un paso positivo y un radio, una holgura y un coste de holgura que no sean negativos</translation>
+    </message>
+    <message>
+        <source>The start %1 lies outside of the map</source>
+        <translation>El inicio %1 está fuera del mapa</translation>
+    </message>
+    <message>
+        <source>The goal %1 lies outside of the map</source>
+        <translation>La meta %1 está fuera del mapa</translation>
+    </message>
+    <message>
+        <source>The start %1 lies inside a wall</source>
+        <translation>El inicio %1 está dentro de una pared</translation>
+    </message>
+    <message>
+        <source>The goal %1 lies inside a wall</source>
+        <translation>La meta %1 está dentro de una pared</translation>
+    </message>
+    <message>
+        <source>The start %1 lies where the map is unknown</source>
+        <translation>El inicio %1 está donde el mapa es desconocido</translation>
+    </message>
+    <message>
+        <source>The goal %1 lies where the map is unknown</source>
+        <translation>La meta %1 está donde el mapa es desconocido</translation>
+    </message>
+    <message>
+        <source>The start %1 lies nearer to a wall than the radius of the robot</source>
+        <translation>El inicio %1 está más cerca de una pared que el radio del robot</translation>
+    </message>
+    <message>
+        <source>The goal %1 lies nearer to a wall than the radius of the robot</source>
+        <translation>La meta %1 está más cerca de una pared que el radio del robot</translation>
+    </message>
+    <message>
+        <source>No path leads from %1 to %2</source>
+        <translation>Ningún camino lleva de %1 a %2</translation>
+    </message>
+    <message>
+        <source>The step between two poses of the path is too small for its length</source>
+        <translation>El paso entre dos poses del camino es demasiado pequeño para su longitud</translation>
+    </message>
+    <message>
+        <source>the projector has no finite, positive cell size and finite origin</source>
+        <translation>el proyector no tiene un tamaño de celda finito y positivo y un origen finito</translation>
+    </message>
+    <message>
+        <source>the projector has no finite, positive scale</source>
+        <translation>el proyector no tiene una escala finita y positiva</translation>
+    </message>
+    <message>
+        <source>the radius of the projector is not between 0 and 1000 cells</source>
+        <translation>el radio del proyector no está entre 0 y 1000 celdas</translation>
+    </message>
+    <message>
+        <source>the projector&apos;s node arrays differ in length</source>
+        <translation>las listas de nodos del proyector difieren en longitud</translation>
+    </message>
+    <message>
+        <source>the projector has no node</source>
+        <translation>el proyector no tiene ningún nodo</translation>
+    </message>
+    <message>
+        <source>the projector has too many nodes</source>
+        <translation>el proyector tiene demasiados nodos</translation>
+    </message>
+    <message>
+        <source>the projector has two nodes on one tile</source>
+        <translation>el proyector tiene dos nodos en una misma tesela</translation>
+    </message>
+    <message>
+        <source>the projector has an edge to a node that does not exist</source>
+        <translation>el proyector tiene una arista hacia un nodo que no existe</translation>
+    </message>
+    <message>
+        <source>the projector has an anchor that is not finite</source>
+        <translation>el proyector tiene un ancla que no es finita</translation>
+    </message>
+    <message>
+        <source>the names and notes of the projector are too long to be written</source>
+        <translation>los nombres y las notas del proyector son demasiado largos para escribirlos</translation>
+    </message>
+    <message>
+        <source>node %1 of the projector lies on a tile outside any building</source>
+        <translation>el nodo %1 del proyector está en una tesela fuera de cualquier edificio</translation>
+    </message>
+    <message>
+        <source>node %1 of the projector is not finite</source>
+        <translation>el nodo %1 del proyector no es finito</translation>
+    </message>
+    <message>
+        <source>node %1 of the projector is stretched beyond reason</source>
+        <translation>el nodo %1 del proyector está estirado sin medida</translation>
+    </message>
+    <message>
+        <source>node %1 of the projector does not lie on its tile</source>
+        <translation>el nodo %1 del proyector no está en su tesela</translation>
+    </message>
+    <message>
+        <source>the picture is not as large as its frame says</source>
+        <translation>la imagen no es tan grande como dice su marco</translation>
+    </message>
+    <message>
+        <source>pictures wider or higher than %1 pixels cannot be warped; choose a coarser resolution</source>
+        <translation>no se pueden deformar imágenes de más de %1 píxeles de ancho o de alto; elija una resolución más gruesa</translation>
+    </message>
+    <message>
+        <source>the resolution must be a positive number of metres per pixel</source>
+        <translation>la resolución debe ser un número positivo de metros por píxel</translation>
+    </message>
+    <message>
+        <source>the projector draws nothing of this picture</source>
+        <translation>el proyector no dibuja nada de esta imagen</translation>
+    </message>
+    <message>
+        <source>the warped picture would be wider than a million pixels; choose a coarser resolution</source>
+        <translation>la imagen deformada tendría más de un millón de píxeles de ancho; elija una resolución más gruesa</translation>
+    </message>
+    <message>
+        <source>there is no such file</source>
+        <translation>no existe ese archivo</translation>
+    </message>
+    <message>
+        <source>cannot be opened (%1)</source>
+        <translation>no se puede abrir (%1)</translation>
+    </message>
+    <message>
+        <source>cannot be read (%1)</source>
+        <translation>no se puede leer (%1)</translation>
+    </message>
+    <message>
+        <source>cannot be written (%1)</source>
+        <translation>no se puede escribir (%1)</translation>
+    </message>
+    <message>
+        <source>cannot be written: %1</source>
+        <translation>no se puede escribir: %1</translation>
+    </message>
+    <message>
+        <source>a file name is missing</source>
+        <translation>falta un nombre de archivo</translation>
+    </message>
+    <message>
+        <source>it is not a regular file</source>
+        <translation>no es un archivo normal</translation>
+    </message>
+    <message>
+        <source>is not a regular file</source>
+        <translation>no es un archivo normal</translation>
+    </message>
+    <message>
+        <source>is a folder, not a file</source>
+        <translation>es una carpeta, no un archivo</translation>
+    </message>
+    <message>
+        <source>is larger than the %1 bytes that are read</source>
+        <translation>es mayor que los %1 bytes que se leen</translation>
+    </message>
+    <message>
+        <source>is empty</source>
+        <translation>está vacío</translation>
+    </message>
+    <message>
+        <source>ends too early</source>
+        <translation>termina demasiado pronto</translation>
+    </message>
+    <message>
+        <source>was cut off while it was read</source>
+        <translation>se cortó mientras se leía</translation>
+    </message>
+    <message>
+        <source>Permission denied</source>
+        <translation>Permiso denegado</translation>
+    </message>
+    <message>
+        <source>Operation not permitted</source>
+        <translation>Operación no permitida</translation>
+    </message>
+    <message>
+        <source>No space left on device</source>
+        <translation>No queda espacio en el dispositivo</translation>
+    </message>
+    <message>
+        <source>Disk quota exceeded</source>
+        <translation>Se ha superado la cuota de disco</translation>
+    </message>
+    <message>
+        <source>Read-only file system</source>
+        <translation>Sistema de archivos de solo lectura</translation>
+    </message>
+    <message>
+        <source>File too large</source>
+        <translation>Archivo demasiado grande</translation>
+    </message>
+    <message>
+        <source>File name too long</source>
+        <translation>Nombre de archivo demasiado largo</translation>
+    </message>
+    <message>
+        <source>No such file or directory</source>
+        <translation>No existe el archivo o la carpeta</translation>
+    </message>
+    <message>
+        <source>Is a directory</source>
+        <translation>Es una carpeta</translation>
+    </message>
+    <message>
+        <source>Not a directory</source>
+        <translation>No es una carpeta</translation>
+    </message>
+    <message>
+        <source>Too many levels of symbolic links</source>
+        <translation>Demasiados niveles de enlaces simbólicos</translation>
+    </message>
+    <message>
+        <source>Too many open files</source>
+        <translation>Demasiados archivos abiertos</translation>
+    </message>
+    <message>
+        <source>Input/output error</source>
+        <translation>Error de entrada/salida</translation>
+    </message>
+    <message>
+        <source>Device or resource busy</source>
+        <translation>Dispositivo o recurso ocupado</translation>
+    </message>
+    <message>
+        <source>Stale file handle</source>
+        <translation>El archivo de la unidad de red ya no es válido</translation>
+    </message>
+    <message>
+        <source>is no image that can be read: PGM, PNG, JPG, BMP and TIFF can</source>
+        <translation>no es una imagen que se pueda leer: sí PGM, PNG, JPG, BMP y TIFF</translation>
+    </message>
+    <message>
+        <source>is cut off: the image is not complete</source>
+        <translation>está cortado: la imagen no está completa</translation>
+    </message>
+    <message>
+        <source>is an image of %1 x %2 pixels</source>
+        <translation>es una imagen de %1 x %2 píxeles</translation>
+    </message>
+    <message>
+        <source>is an image of %1 x %2 pixels; at most 30000 x 30000 are read</source>
+        <translation>es una imagen de %1 x %2 píxeles; se leen como máximo 30000 x 30000</translation>
+    </message>
+    <message>
+        <source>claims %1 x %2 pixels, which its %3 bytes cannot hold</source>
+        <translation>declara %1 x %2 píxeles, que no caben en sus %3 bytes</translation>
+    </message>
+    <message>
+        <source>is no image: its PNM header does not say width, height and largest value</source>
+        <translation>no es una imagen: su cabecera PNM no indica ancho, alto y valor máximo</translation>
+    </message>
+    <message>
+        <source>is damaged: wrong checksum in the PNG chunk at byte %1</source>
+        <translation>está dañado: suma de control errónea en el bloque PNG del byte %1</translation>
+    </message>
+    <message>
+        <source>is damaged: no JPEG segment at byte %1</source>
+        <translation>está dañado: no hay segmento JPEG en el byte %1</translation>
+    </message>
+    <message>
+        <source>is damaged: empty JPEG segment at byte %1</source>
+        <translation>está dañado: segmento JPEG vacío en el byte %1</translation>
+    </message>
+    <message>
+        <source>is damaged: a JPEG without a frame header</source>
+        <translation>está dañado: un JPEG sin cabecera de imagen</translation>
+    </message>
+    <message>
+        <source>is no image: its TIFF directory has too many entries</source>
+        <translation>no es una imagen: su directorio TIFF tiene demasiadas entradas</translation>
+    </message>
+    <message>
+        <source>is no image: its TIFF directory does not say width and height</source>
+        <translation>no es una imagen: su directorio TIFF no indica ancho y alto</translation>
+    </message>
+    <message>
+        <source>is a damaged image</source>
+        <translation>es una imagen dañada</translation>
+    </message>
+    <message>
+        <source>is a damaged image: its size is not the one its header says</source>
+        <translation>es una imagen dañada: su tamaño no es el que dice su cabecera</translation>
+    </message>
+    <message>
+        <source>is too large an image for the memory of this machine</source>
+        <translation>es una imagen demasiado grande para la memoria de este equipo</translation>
+    </message>
+    <message>
+        <source>is an image of an unusual kind: 8 or 16 bit grey or colour can be read</source>
+        <translation>es una imagen de un tipo inusual: se leen grises o color de 8 o 16 bits</translation>
+    </message>
+    <message>
+        <source>is an image of an unusual kind: grey, colour, or colour with alpha can be read</source>
+        <translation>es una imagen de un tipo inusual: se leen grises, color o color con alfa</translation>
+    </message>
+    <message>
+        <source>is an image with neither 8 nor 16 bits a sample</source>
+        <translation>es una imagen que no tiene ni 8 ni 16 bits por muestra</translation>
+    </message>
+    <message>
+        <source>pictures are written as .pgm or .png, not %1</source>
+        <translation>las imágenes se escriben como .pgm o .png, no como %1</translation>
+    </message>
+    <message>
+        <source>a .pgm holds grey of 8 or 16 bits only; write a .png instead</source>
+        <translation>un .pgm solo contiene grises de 8 o 16 bits; escriba un .png</translation>
+    </message>
+    <message>
+        <source>a .png holds grey or colour of 8 or 16 bits only</source>
+        <translation>un .png solo contiene grises o color de 8 o 16 bits</translation>
+    </message>
+    <message>
+        <source>the image cannot be encoded</source>
+        <translation>la imagen no se puede codificar</translation>
+    </message>
+    <message>
+        <source>the image of a map must be a file name without folders</source>
+        <translation>la imagen de un mapa debe ser un nombre de archivo sin carpetas</translation>
+    </message>
+    <message>
+        <source>the PNG image is damaged: %1</source>
+        <translation>la imagen PNG está dañada: %1</translation>
+    </message>
+    <message>
+        <source>there is no room for the temporary tiles of this image</source>
+        <translation>no hay sitio para las teselas temporales de esta imagen</translation>
+    </message>
+    <message>
+        <source>Grey 205, which map_saver writes for unknown, counts as free with free_thresh %1; 0.196 would keep it unknown.</source>
+        <translation>El gris 205, que map_saver escribe para lo desconocido, cuenta como libre con free_thresh %1; con 0.196 seguiría desconocido.</translation>
+    </message>
+    <message>
+        <source>%1 pixels were read as %2 read them; %3 would read them differently.</source>
+        <translation>%1 píxeles se leyeron como los leen %2; %3 los leerían de otro modo.</translation>
+    </message>
+    <message>
+        <source>ROS 2 jazzy and later</source>
+        <translation>ROS 2 Jazzy y posteriores</translation>
+    </message>
+    <message>
+        <source>ROS 1 and ROS 2 up to humble</source>
+        <translation>ROS 1 y ROS 2 hasta Humble</translation>
+    </message>
+    <message>
+        <source>is too large for a map YAML</source>
+        <translation>es demasiado grande para el YAML de un mapa</translation>
+    </message>
+    <message>
+        <source>is not valid YAML (%1)</source>
+        <translation>no es YAML válido (%1)</translation>
+    </message>
+    <message>
+        <source>aliases (*name) are not read</source>
+        <translation>los alias (*name) no se leen</translation>
+    </message>
+    <message>
+        <source>the values are nested too deeply</source>
+        <translation>los valores están anidados demasiado hondo</translation>
+    </message>
+    <message>
+        <source>a map needs lines such as `image: map.pgm`</source>
+        <translation>un mapa necesita líneas como `image: map.pgm`</translation>
+    </message>
+    <message>
+        <source>a key must be a word</source>
+        <translation>una clave debe ser una palabra</translation>
+    </message>
+    <message>
+        <source>holds no map: image and resolution are missing</source>
+        <translation>no contiene un mapa: faltan image y resolution</translation>
+    </message>
+    <message>
+        <source>the key %1 is missing</source>
+        <translation>falta la clave %1</translation>
+    </message>
+    <message>
+        <source>the key %1 already stands in line %2</source>
+        <translation>la clave %1 ya está en la línea %2</translation>
+    </message>
+    <message>
+        <source>%1 must be one value, not a list</source>
+        <translation>%1 debe ser un solo valor, no una lista</translation>
+    </message>
+    <message>
+        <source>%1 must be a number from %2 to %3, not %4</source>
+        <translation>%1 debe ser un número de %2 a %3, no %4</translation>
+    </message>
+    <message>
+        <source>image must name an image file</source>
+        <translation>image debe nombrar un archivo de imagen</translation>
+    </message>
+    <message>
+        <source>image is no file name: %1</source>
+        <translation>image no es un nombre de archivo: %1</translation>
+    </message>
+    <message>
+        <source>origin must be a list of three numbers [x, y, yaw]</source>
+        <translation>origin debe ser una lista de tres números [x, y, yaw]</translation>
+    </message>
+    <message>
+        <source>origin holds %1, no finite number</source>
+        <translation>origin contiene %1, que no es un número finito</translation>
+    </message>
+    <message>
+        <source>free_thresh must not be above occupied_thresh, which is %1</source>
+        <translation>free_thresh no debe superar occupied_thresh, que es %1</translation>
+    </message>
+    <message>
+        <source>negate must be 0 or 1, not %1</source>
+        <translation>negate debe ser 0 o 1, no %1</translation>
+    </message>
+    <message>
+        <source>mode must be trinary, scale or raw, not %1</source>
+        <translation>mode debe ser trinary, scale o raw, no %1</translation>
+    </message>
+    <message>
+        <source>The yaw of origin is not a number and was read as 0.</source>
+        <translation>El giro de origin no es un número y se leyó como 0.</translation>
+    </message>
+    <message>
+        <source>The map is turned by a yaw of %1 rad in origin: RViz shows that, navigation and localisation of ROS ignore it.</source>
+        <translation>El mapa está girado %1 rad en origin: RViz lo muestra, la navegación y la localización de ROS lo ignoran.</translation>
+    </message>
+    <message>
+        <source>holds no anchors</source>
+        <translation>no contiene anclas</translation>
+    </message>
+    <message>
+        <source>is UTF-16 text; save it as UTF-8</source>
+        <translation>es texto UTF-16; guárdelo como UTF-8</translation>
+    </message>
+    <message>
+        <source>the column %1 stands twice in the header</source>
+        <translation>la columna %1 está dos veces en el encabezado</translation>
+    </message>
+    <message>
+        <source>the header has no column %1, which anchors need</source>
+        <translation>el encabezado no tiene la columna %1, que las anclas necesitan</translation>
+    </message>
+    <message>
+        <source>more than %1 lines are no anchors</source>
+        <translation>más de %1 líneas no son anclas</translation>
+    </message>
+    <message>
+        <source>no line can be read as an anchor; the first one %1</source>
+        <translation>ninguna línea se puede leer como ancla; la primera: %1</translation>
+    </message>
+    <message>
+        <source>has %1 of at least %2 fields</source>
+        <translation>tiene %1 de al menos %2 campos</translation>
+    </message>
+    <message>
+        <source>has too few fields</source>
+        <translation>tiene muy pocos campos</translation>
+    </message>
+    <message>
+        <source>has a quote that is never closed</source>
+        <translation>tiene una comilla que nunca se cierra</translation>
+    </message>
+    <message>
+        <source>has text behind a closing quote</source>
+        <translation>tiene texto tras una comilla de cierre</translation>
+    </message>
+    <message>
+        <source>the id %1 is not a whole number</source>
+        <translation>la id %1 no es un número entero</translation>
+    </message>
+    <message>
+        <source>the id %1 already stands in line %2</source>
+        <translation>la id %1 ya está en la línea %2</translation>
+    </message>
+    <message>
+        <source>%1 is not a finite number</source>
+        <translation>%1 no es un número finito</translation>
+    </message>
+    <message>
+        <source>enabled is %1, not 1 or 0</source>
+        <translation>enabled es %1, no 1 o 0</translation>
+    </message>
+    <message>
+        <source>enable is %1, not 1 or 0</source>
+        <translation>enable es %1, no 1 o 0</translation>
+    </message>
+    <message>
+        <source>holds no &quot;CorrespondenceAnchor&quot;</source>
+        <translation>no contiene ningún &quot;CorrespondenceAnchor&quot;</translation>
+    </message>
+    <message>
+        <source>more than %1 objects are no anchors</source>
+        <translation>más de %1 objetos no son anclas</translation>
+    </message>
+    <message>
+        <source>no anchor can be read: %1</source>
+        <translation>no se puede leer ninguna ancla: %1</translation>
+    </message>
+    <message>
+        <source>expected %1 instead of %2</source>
+        <translation>se esperaba %1 en lugar de %2</translation>
+    </message>
+    <message>
+        <source>a finite number</source>
+        <translation>un número finito</translation>
+    </message>
+    <message>
+        <source>_cad_point or _slam_point</source>
+        <translation>_cad_point o _slam_point</translation>
+    </message>
+    <message>
+        <source>the end of the file</source>
+        <translation>el final del archivo</translation>
+    </message>
+    <message>
+        <source>holds points of QGIS, which are pixels of two images; import it in the app with both of them loaded and export the anchors from there</source>
+        <translation>contiene puntos de QGIS, que son píxeles de dos imágenes; impórtelo en la aplicación con ambas cargadas y exporte las anclas desde allí</translation>
+    </message>
+    <message>
+        <source>Points of QGIS are pixels: load both images first</source>
+        <translation>Los puntos de QGIS son píxeles: cargue primero ambas imágenes</translation>
+    </message>
+    <message>
+        <source>has no header with the columns mapX, mapY, sourceX and sourceY</source>
+        <translation>no tiene un encabezado con las columnas mapX, mapY, sourceX y sourceY</translation>
+    </message>
+    <message>
+        <source>holds no points</source>
+        <translation>no contiene puntos</translation>
+    </message>
+    <message>
+        <source>more than %1 lines are no points</source>
+        <translation>más de %1 líneas no son puntos</translation>
+    </message>
+    <message>
+        <source>its points do not lie in these two maps, neither as metres nor as pixels; were they made with them?</source>
+        <translation>sus puntos no están en estos dos mapas, ni como metros ni como píxeles; ¿se hicieron con ellos?</translation>
+    </message>
+    <message>
+        <source>is not a project of CAD2SLAM</source>
+        <translation>no es un proyecto de CAD2SLAM</translation>
+    </message>
+    <message>
+        <source>was written by a newer program (format %1); this one reads format %2</source>
+        <translation>lo escribió un programa más nuevo (formato %1); este lee el formato %2</translation>
+    </message>
+    <message>
+        <source>is too large for a project</source>
+        <translation>es demasiado grande para un proyecto</translation>
+    </message>
+    <message>
+        <source>cannot name the file %1, which is not UTF-8</source>
+        <translation>no puede nombrar el archivo %1, cuyo nombre no es UTF-8</translation>
+    </message>
+    <message>
+        <source>is no text: it holds zero bytes</source>
+        <translation>no es texto: contiene bytes nulos</translation>
+    </message>
+    <message>
+        <source>is not valid JSON</source>
+        <translation>no es JSON válido</translation>
+    </message>
+    <message>
+        <source>is nested too deeply</source>
+        <translation>está anidado demasiado hondo</translation>
+    </message>
+    <message>
+        <source>has the key %1 twice in one object</source>
+        <translation>tiene la clave %1 dos veces en un objeto</translation>
+    </message>
+    <message>
+        <source>the document</source>
+        <translation>el documento</translation>
+    </message>
+    <message>
+        <source>%1 is missing</source>
+        <translation>falta %1</translation>
+    </message>
+    <message>
+        <source>%1 must be an object</source>
+        <translation>%1 debe ser un objeto</translation>
+    </message>
+    <message>
+        <source>%1 must be a list</source>
+        <translation>%1 debe ser una lista</translation>
+    </message>
+    <message>
+        <source>%1 must be a list of two numbers</source>
+        <translation>%1 debe ser una lista de dos números</translation>
+    </message>
+    <message>
+        <source>%1 must be a list of three numbers: x, y, yaw</source>
+        <translation>%1 debe ser una lista de tres números: x, y, giro</translation>
+    </message>
+    <message>
+        <source>%1 must be a text</source>
+        <translation>%1 debe ser un texto</translation>
+    </message>
+    <message>
+        <source>%1 must be true or false</source>
+        <translation>%1 debe ser true o false</translation>
+    </message>
+    <message>
+        <source>%1 must be a finite number in its range</source>
+        <translation>%1 debe ser un número finito dentro de su intervalo</translation>
+    </message>
+    <message>
+        <source>%1 must be a whole number in its range</source>
+        <translation>%1 debe ser un número entero dentro de su intervalo</translation>
+    </message>
+    <message>
+        <source>%1 must be 64 hexadecimal digits</source>
+        <translation>%1 debe constar de 64 dígitos hexadecimales</translation>
+    </message>
+    <message>
+        <source>%1 must not be above occupied_thresh</source>
+        <translation>%1 no debe superar occupied_thresh</translation>
+    </message>
+    <message>
+        <source>%1 must not be empty</source>
+        <translation>%1 no debe estar vacío</translation>
+    </message>
+    <message>
+        <source>%1 is not one of the words known here</source>
+        <translation>%1 no es ninguna de las palabras conocidas aquí</translation>
+    </message>
+    <message>
+        <source>%1 is no file name</source>
+        <translation>%1 no es un nombre de archivo</translation>
+    </message>
+    <message>
+        <source>%1 is the name of another map, too: %2</source>
+        <translation>%1 es también el nombre de otro mapa: %2</translation>
+    </message>
+    <message>
+        <source>%1 stands twice</source>
+        <translation>%1 está dos veces</translation>
+    </message>
+    <message>
+        <source>%1 stands twice: %2</source>
+        <translation>%1 está dos veces: %2</translation>
+    </message>
+    <message>
+        <source>is not a projector file of CAD2SLAM</source>
+        <translation>no es un archivo de proyector de CAD2SLAM</translation>
+    </message>
+    <message>
+        <source>has no known version</source>
+        <translation>no tiene una versión conocida</translation>
+    </message>
+    <message>
+        <source>has format version %1; this program reads %2.x</source>
+        <translation>tiene la versión de formato %1; este programa lee %2.x</translation>
+    </message>
+    <message>
+        <source>needs more memory than there is</source>
+        <translation>necesita más memoria de la que hay</translation>
+    </message>
+    <message>
+        <source>is no projector file: it has only %1 bytes</source>
+        <translation>no es un archivo de proyector: solo tiene %1 bytes</translation>
+    </message>
+    <message>
+        <source>is no projector file: its header would be too long</source>
+        <translation>no es un archivo de proyector: su cabecera sería demasiado larga</translation>
+    </message>
+    <message>
+        <source>is no projector file: zero bytes in its header</source>
+        <translation>no es un archivo de proyector: bytes nulos en su cabecera</translation>
+    </message>
+    <message>
+        <source>is cut off inside its header</source>
+        <translation>está cortado dentro de su cabecera</translation>
+    </message>
+    <message>
+        <source>is cut off: %1 bytes are missing</source>
+        <translation>está cortado: faltan %1 bytes</translation>
+    </message>
+    <message>
+        <source>has %1 bytes too many</source>
+        <translation>tiene %1 bytes de más</translation>
+    </message>
+    <message>
+        <source>is damaged: its header was changed</source>
+        <translation>está dañado: su cabecera se cambió</translation>
+    </message>
+    <message>
+        <source>is damaged: its data do not have the SHA-256 they should</source>
+        <translation>está dañado: sus datos no tienen el SHA-256 que deberían</translation>
+    </message>
+    <message>
+        <source>has no data_sha256</source>
+        <translation>no tiene data_sha256</translation>
+    </message>
+    <message>
+        <source>has no array %1</source>
+        <translation>no tiene la lista %1</translation>
+    </message>
+    <message>
+        <source>has an array %1 that is not %2 in %3 columns</source>
+        <translation>tiene una lista %1 que no es %2 en %3 columnas</translation>
+    </message>
+    <message>
+        <source>has node arrays of different lengths</source>
+        <translation>tiene listas de nodos de distinta longitud</translation>
+    </message>
+    <message>
+        <source>has an edge to a node that does not exist</source>
+        <translation>tiene una arista hacia un nodo que no existe</translation>
+    </message>
+    <message>
+        <source>has an anchor that is not finite</source>
+        <translation>tiene un ancla que no es finita</translation>
+    </message>
+    <message>
+        <source>has a check pose that is not finite</source>
+        <translation>tiene una pose de control que no es finita</translation>
+    </message>
+    <message>
+        <source>does not reproduce its own check pose %1</source>
+        <translation>no reproduce su propia pose de control %1</translation>
+    </message>
+    <message>
+        <source>has an array of unknown type or impossible size: %1</source>
+        <translation>tiene una lista de tipo desconocido o tamaño imposible: %1</translation>
+    </message>
+    <message>
+        <source>has an array whose range does not fit its shape: %1</source>
+        <translation>tiene una lista cuyo intervalo no corresponde a su forma: %1</translation>
+    </message>
+    <message>
+        <source>has arrays that overlap or leave a gap at byte %1</source>
+        <translation>tiene listas que se solapan o dejan un hueco en el byte %1</translation>
+    </message>
+    <message>
+        <source>has a header that %1</source>
+        <translation>tiene una cabecera ilegible: %1</translation>
+    </message>
+    <message>
+        <source>is no JSON object</source>
+        <translation>no es un objeto JSON</translation>
+    </message>
+    <message>
+        <source>is not valid JSON at byte %1</source>
+        <translation>no es JSON válido en el byte %1</translation>
+    </message>
+    <message>
+        <source>has the name %1 twice</source>
+        <translation>tiene el nombre %1 dos veces</translation>
+    </message>
+    <message>
+        <source>has the key %1 twice in %2</source>
+        <translation>tiene la clave %1 dos veces en %2</translation>
+    </message>
+    <message>
+        <source>has the unknown key %1 in %2</source>
+        <translation>tiene la clave desconocida %1 en %2</translation>
+    </message>
+    <message>
+        <source>has too many arrays</source>
+        <translation>tiene demasiadas listas</translation>
+    </message>
+    <message>
+        <source>has too long a list in %1</source>
+        <translation>tiene una lista demasiado larga en %1</translation>
+    </message>
+    <message>
+        <source>does not say dtype, shape and data_offsets of %1</source>
+        <translation>no indica dtype, shape y data_offsets de %1</translation>
+    </message>
+    <message>
+        <source>has data_offsets that are not two numbers in %1</source>
+        <translation>tiene data_offsets que no son dos números en %1</translation>
+    </message>
+    <message>
+        <source>has %1 where it should not, in %2</source>
+        <translation>tiene %1 donde no debería, en %2</translation>
+    </message>
+    <message>
+        <source>null</source>
+        <translation>null</translation>
+    </message>
+    <message>
+        <source>a truth value</source>
+        <translation>un valor lógico</translation>
+    </message>
+    <message>
+        <source>a number</source>
+        <translation>un número</translation>
+    </message>
+    <message>
+        <source>a negative number</source>
+        <translation>un número negativo</translation>
+    </message>
+    <message>
+        <source>a number with a fraction</source>
+        <translation>un número con decimales</translation>
+    </message>
+    <message>
+        <source>binary data</source>
+        <translation>datos binarios</translation>
+    </message>
+    <message>
+        <source>a text</source>
+        <translation>un texto</translation>
+    </message>
+    <message>
+        <source>an object</source>
+        <translation>un objeto</translation>
+    </message>
+    <message>
+        <source>a list</source>
+        <translation>una lista</translation>
+    </message>
+    <message>
+        <source>the metadata %1 is missing</source>
+        <translation>falta %1 en los metadatos</translation>
+    </message>
+    <message>
+        <source>the metadata %1 is %2, not a finite number</source>
+        <translation>el valor %1 de los metadatos es %2, no un número finito</translation>
+    </message>
+    <message>
+        <source>the metadata %1 is %2, not a whole number from 0 on</source>
+        <translation>el valor %1 de los metadatos es %2, no un número entero desde 0</translation>
+    </message>
+    <message>
+        <source>the metadata %1 is %2, which is not known</source>
+        <translation>el valor %1 de los metadatos es %2, que no se conoce</translation>
+    </message>
+    <message>
+        <source>the metadata %1 is not 64 hexadecimal digits</source>
+        <translation>el valor %1 de los metadatos no son 64 dígitos hexadecimales</translation>
+    </message>
+    <message>
+        <source>There is not enough memory for this; use larger cells or a smaller image</source>
+        <translation>No hay memoria suficiente para esto; use celdas mayores o una imagen más pequeña</translation>
+    </message>
+    <message>
+        <source>Something went wrong inside the program</source>
+        <translation>Algo falló dentro del programa</translation>
+    </message>
+    <message>
+        <source>Something went wrong inside the program: %1</source>
+        <translation>Algo falló dentro del programa: %1</translation>
+    </message>
+    <message>
+        <source>not loaded</source>
+        <translation>sin cargar</translation>
+    </message>
+    <message>
+        <source>there is nothing to lay over the map</source>
+        <translation>no hay nada que superponer al mapa</translation>
+    </message>
+    <message>
+        <source>There is no up-to-date alignment to export</source>
+        <translation>No hay una alineación al día que exportar</translation>
+    </message>
+    <message>
+        <source>The export was cancelled, nothing was written</source>
+        <translation>La exportación se canceló, no se escribió nada</translation>
+    </message>
+    <message>
+        <source>The file reads back with other values</source>
+        <translation>El archivo se relee con otros valores</translation>
+    </message>
+    <message>
+        <source>The file reads back with other values: do not use it</source>
+        <translation>El archivo se relee con otros valores: no lo use</translation>
+    </message>
+    <message>
+        <source>Going there and back through the file does not return to the start</source>
+        <translation>Ir y volver por el archivo no regresa al punto de partida</translation>
+    </message>
+    <message>
+        <source>1 part of the free space (1 node) is not connected to any anchor and only follows the global fit.</source>
+        <translation>1 parte del espacio libre (1 nodo) no está conectada con ninguna ancla y solo sigue la alineación global.</translation>
+    </message>
+    <message>
+        <source>1 part of the free space (%1 nodes) is not connected to any anchor and only follows the global fit.</source>
+        <translation>1 parte del espacio libre (%1 nodos) no está conectada con ninguna ancla y solo sigue la alineación global.</translation>
+    </message>
+    <message>
+        <source>%1 parts of the free space (%2 nodes) are not connected to any anchor and only follow the global fit.</source>
+        <translation>%1 partes del espacio libre (%2 nodos) no están conectadas con ninguna ancla y solo siguen la alineación global.</translation>
+    </message>
+</context>
+<context>
     <name>Hints</name>
     <message>
         <source>Choose the blueprint: drop its YAML or image into the left view</source>
@@ -127,6 +1146,10 @@
         <source>No anchor is used: switch some on in the table, or place new ones</source>
         <translation>No se usa ninguna ancla: active algunas en la tabla o coloque otras</translation>
     </message>
+    <message>
+        <source>failed: %1</source>
+        <translation>falló: %1</translation>
+    </message>
 </context>
 <context>
     <name>Menus</name>
@@ -194,10 +1217,6 @@
         <translation>&lt;h3&gt;CAD2SLAM %1&lt;/h3&gt;&lt;p&gt;Proyecta poses entre planos de edificios y mapas SLAM de robots.&lt;/p&gt;&lt;p&gt;Licencia Apache 2.0. Usa Qt, Ceres, SuiteSparse, OpenCV y Eigen.&lt;/p&gt;</translation>
     </message>
     <message>
-        <source>Preview</source>
-        <translation>Vista previa</translation>
-    </message>
-    <message>
         <source>Blueprint</source>
         <translation>Plano</translation>
     </message>
@@ -244,6 +1263,34 @@
     <message>
         <source>the clipboard</source>
         <translation>el portapapeles</translation>
+    </message>
+    <message>
+        <source>Both maps: blueprint magenta, SLAM map green, dark where they agree</source>
+        <translation>Ambos mapas: plano magenta, mapa SLAM verde, oscuro donde coinciden</translation>
+    </message>
+    <message>
+        <source>Test pose in the blueprint</source>
+        <translation>Pose de prueba en el plano</translation>
+    </message>
+    <message>
+        <source>Test pose in the SLAM map</source>
+        <translation>Pose de prueba en el mapa SLAM</translation>
+    </message>
+    <message>
+        <source>&amp;x (m):</source>
+        <translation>&amp;x (m):</translation>
+    </message>
+    <message>
+        <source>&amp;y (m):</source>
+        <translation>&amp;y (m):</translation>
+    </message>
+    <message>
+        <source>&amp;Heading (degrees):</source>
+        <translation>&amp;Orientación (grados):</translation>
+    </message>
+    <message>
+        <source>A pose of the SLAM map can be shown once there is an alignment</source>
+        <translation>Una pose del mapa SLAM se puede mostrar cuando haya una alineación</translation>
     </message>
 </context>
 <context>
@@ -917,6 +1964,22 @@
         <source>Take the poses from file or clipboard away again</source>
         <translation>Retirar las poses del archivo o del portapapeles</translation>
     </message>
+    <message>
+        <source>Place a &amp;point in the middle</source>
+        <translation>Colocar un &amp;punto en el centro</translation>
+    </message>
+    <message>
+        <source>As a click in the middle of the view, where the arrow keys have moved it</source>
+        <translation>Como un clic en el centro de la vista, adonde la han llevado las flechas</translation>
+    </message>
+    <message>
+        <source>Test pose by &amp;numbers...</source>
+        <translation>Pose de prueba con &amp;números...</translation>
+    </message>
+    <message>
+        <source>Put the robot to x, y and heading in the frame of this view</source>
+        <translation>Poner el robot en x, y y orientación en las coordenadas de esta vista</translation>
+    </message>
 </context>
 <context>
     <name>cad2slam::AnchorEditing</name>
@@ -990,6 +2053,30 @@
     <message>
         <source>Unlock</source>
         <translation>Desbloquear</translation>
+    </message>
+    <message>
+        <source>Coordinates of anchor %1</source>
+        <translation>Coordenadas del ancla %1</translation>
+    </message>
+    <message>
+        <source>New anchor %1</source>
+        <translation>Nueva ancla %1</translation>
+    </message>
+    <message>
+        <source>Blueprint &amp;x (m):</source>
+        <translation>Plano &amp;x (m):</translation>
+    </message>
+    <message>
+        <source>Blueprint &amp;y (m):</source>
+        <translation>Plano &amp;y (m):</translation>
+    </message>
+    <message>
+        <source>&amp;SLAM map x (m):</source>
+        <translation>Mapa &amp;SLAM x (m):</translation>
+    </message>
+    <message>
+        <source>SLAM &amp;map y (m):</source>
+        <translation>&amp;Mapa SLAM y (m):</translation>
     </message>
 </context>
 <context>
@@ -1137,6 +2224,14 @@
         <source>● OK, ◆ have a look, ■ bad, ○ off; the limits are in the settings</source>
         <translation>● OK, ◆ revisar, ■ mala, ○ apagada; los límites están en los ajustes</translation>
     </message>
+    <message>
+        <source>In the image at %1, %2 px</source>
+        <translation>En la imagen en %1, %2 px</translation>
+    </message>
+    <message>
+        <source>%1 (%2 px)</source>
+        <translation>%1 (%2 px)</translation>
+    </message>
 </context>
 <context>
     <name>cad2slam::Autosave</name>
@@ -1272,33 +2367,6 @@
     </message>
 </context>
 <context>
-    <name>cad2slam::CoordinatesDialog</name>
-    <message>
-        <source>Coordinates of anchor %1</source>
-        <translation>Coordenadas del ancla %1</translation>
-    </message>
-    <message>
-        <source>New anchor %1</source>
-        <translation>Nueva ancla %1</translation>
-    </message>
-    <message>
-        <source>Blueprint &amp;x (m):</source>
-        <translation>Plano &amp;x (m):</translation>
-    </message>
-    <message>
-        <source>Blueprint &amp;y (m):</source>
-        <translation>Plano &amp;y (m):</translation>
-    </message>
-    <message>
-        <source>&amp;SLAM map x (m):</source>
-        <translation>Mapa &amp;SLAM x (m):</translation>
-    </message>
-    <message>
-        <source>SLAM &amp;map y (m):</source>
-        <translation>&amp;Mapa SLAM y (m):</translation>
-    </message>
-</context>
-<context>
     <name>cad2slam::DiagnosisMessages</name>
     <message>
         <source>Show</source>
@@ -1415,6 +2483,14 @@
             <numerusform>%n ancla está donde el mapa SLAM no muestra ni suelo ni pared: %1</numerusform>
             <numerusform>%n anclas están donde el mapa SLAM no muestra ni suelo ni pared: %1</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Show a good place</source>
+        <translation>Mostrar un buen lugar</translation>
+    </message>
+    <message>
+        <source>Blueprint %1 m, SLAM map %2 m between the two anchors (%3 %): the scale of the blueprint fits</source>
+        <translation>Plano %1 m, mapa SLAM %2 m entre las dos anclas (%3 %): la escala del plano concuerda</translation>
     </message>
 </context>
 <context>
@@ -1705,6 +2781,10 @@ YAML de mapa, PGM, PNG o TIFF</translation>
         <source>Residuals drawn %1 times as long</source>
         <translation>Residuos dibujados %1 veces más largos</translation>
     </message>
+    <message>
+        <source>Reading the image, %1 %</source>
+        <translation>Leyendo la imagen, %1 %</translation>
+    </message>
 </context>
 <context>
     <name>cad2slam::MessageBar</name>
@@ -1726,6 +2806,22 @@ YAML de mapa, PGM, PNG o TIFF</translation>
     <message>
         <source>Close this message</source>
         <translation>Cerrar este mensaje</translation>
+    </message>
+</context>
+<context>
+    <name>cad2slam::PreviewLegend</name>
+    <message>
+        <source>%1 %</source>
+        <comment>per cent</comment>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>Mesh: length against rest</source>
+        <translation>Malla: longitud frente al reposo</translation>
+    </message>
+    <message>
+        <source>crosses: the mesh folds</source>
+        <translation>cruces: la malla se pliega</translation>
     </message>
 </context>
 <context>
@@ -1842,10 +2938,6 @@ YAML de mapa, PGM, PNG o TIFF</translation>
         <translation>Lente</translation>
     </message>
     <message>
-        <source>Mesh: length against rest</source>
-        <translation>Malla: longitud frente al reposo</translation>
-    </message>
-    <message>
         <source>Local scale against the mean</source>
         <translation>Escala local frente a la media</translation>
     </message>
@@ -1892,10 +2984,6 @@ YAML de mapa, PGM, PNG o TIFF</translation>
     <message>
         <source>%1 over %2</source>
         <translation>%1 sobre %2</translation>
-    </message>
-    <message>
-        <source>crosses: the mesh folds</source>
-        <translation>cruces: la malla se pliega</translation>
     </message>
     <message>
         <source>good</source>
@@ -2391,6 +3479,37 @@ YAML de mapa, PGM, PNG o TIFF</translation>
     <message>
         <source>The image %1 could not be read: %2</source>
         <translation>No se pudo leer la imagen %1: %2</translation>
+    </message>
+</context>
+<context>
+    <name>cad2slam::Tips</name>
+    <message>
+        <source>O shows the next way to compare the maps; hold B to see one map alone</source>
+        <translation>O muestra la siguiente forma de comparar los mapas; con B pulsada se ve un solo mapa</translation>
+    </message>
+    <message>
+        <source>N goes to the anchor with the largest error, and shows it in both views</source>
+        <translation>N va al ancla con el mayor error y la muestra en ambas vistas</translation>
+    </message>
+    <message>
+        <source>R shows a robot to drag: where it is in one map, and where in the other</source>
+        <translation>R muestra un robot para arrastrar: dónde está en un mapa y dónde en el otro</translation>
+    </message>
+    <message>
+        <source>F1 shows all keys</source>
+        <translation>F1 muestra todas las teclas</translation>
+    </message>
+    <message>
+        <source>Tip: %1</source>
+        <translation>Consejo: %1</translation>
+    </message>
+    <message>
+        <source>No more tips</source>
+        <translation>No más consejos</translation>
+    </message>
+    <message>
+        <source>Arrow keys move the selected anchor by one pixel; hold Z to see it four times larger</source>
+        <translation>Las flechas mueven el ancla elegida un píxel; con Z pulsada se ve cuatro veces ampliado</translation>
     </message>
 </context>
 <context>

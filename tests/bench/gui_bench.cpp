@@ -13,6 +13,7 @@
 #include "ui/main_window/main_window.h"
 #include "ui/main_window/project_files.h"
 #include "ui/main_window/recovery.h"
+#include "ui/main_window/tips.h"
 #include "ui/panels/preview_panel.h"
 #include "ui/views/map_view.h"
 
@@ -46,8 +47,15 @@ double now(clockid_t clock) {
   return 1e3 * static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_nsec);
 }
 
-/// The longest time [ms] the event loop was away, on the wall and on the processor. On a busy machine only the second
-/// is the program's own.
+/// How long [ms] this thread was ready to run while all processors were taken.
+double waitedForProcessor() {
+  QFile statistics(QStringLiteral("/proc/thread-self/schedstat"));
+  if (!statistics.open(QIODevice::ReadOnly)) return 0.0;
+  return 1e-6 * statistics.readAll().split(' ').value(1).toDouble();
+}
+
+/// The longest time [ms] the event loop was away, on the wall and on the processor, and how much of the longest on the
+/// wall was waiting for a processor. On a busy machine only the second is the program's own.
 class Heartbeat {
  public:
   Heartbeat() {
@@ -60,20 +68,26 @@ class Heartbeat {
   void reset() {
     wall_ = now(CLOCK_MONOTONIC);
     own_ = now(CLOCK_THREAD_CPUTIME_ID);
-    longest_wall_ = longest_own_ = 0.0;
+    waited_ = waitedForProcessor();
+    longest_wall_ = longest_own_ = longest_waited_ = 0.0;
   }
   [[nodiscard]] QJsonObject longest() const {
-    return {{QStringLiteral("wall_ms"), longest_wall_}, {QStringLiteral("gui_thread_cpu_ms"), longest_own_}};
+    return {{QStringLiteral("wall_ms"), longest_wall_},
+            {QStringLiteral("of_it_waiting_for_processor_ms"), longest_waited_},
+            {QStringLiteral("gui_thread_cpu_ms"), longest_own_}};
   }
 
  private:
   void beat() {
     const double wall = now(CLOCK_MONOTONIC);
     const double own = now(CLOCK_THREAD_CPUTIME_ID);
+    const double waited = waitedForProcessor();
+    if (wall - wall_ > longest_wall_) longest_waited_ = waited - waited_;
     longest_wall_ = std::max(longest_wall_, wall - wall_);
     longest_own_ = std::max(longest_own_, own - own_);
     wall_ = wall;
     own_ = own;
+    waited_ = waited;
   }
 
   QTimer timer_;
@@ -81,6 +95,8 @@ class Heartbeat {
   double own_ = 0.0;
   double longest_wall_ = 0.0;
   double longest_own_ = 0.0;
+  double waited_ = 0.0;
+  double longest_waited_ = 0.0;
 };
 
 bool waitFor(const std::function<bool()>& done, int patience_ms = 60'000) {
@@ -138,6 +154,7 @@ int main(int argc, char** argv) {
   const QTemporaryDir scratch;
   QSettings::setDefaultFormat(QSettings::IniFormat);
   QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, scratch.path());
+  Tips::setWanted(false);
   const QString folder = argc > 1 ? QString::fromLocal8Bit(argv[1]) : QStringLiteral(CAD2SLAM_SAMPLE_MAPS "/office");
   const auto anchors =
       readAnchors(toPath(firstThatExists(folder, {QStringLiteral("anchors.csv"), QStringLiteral("anchors_1.csv")})));

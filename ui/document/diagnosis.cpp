@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 namespace cad2slam {
@@ -17,7 +18,6 @@ namespace {
 using Kind = Finding::Kind;
 using Eigen::Vector2d;
 
-constexpr double kScaleNote = 0.02;          // part by which a scale may be off without a word
 constexpr double kScaleSigmas = 2.0;         // how sure one must be of it
 constexpr double kNeighbours = 4.0;          // anchors that are wrong together
 constexpr double kLineWidth = 0.05;          // width over length of anchors that count as one line
@@ -110,11 +110,46 @@ class Diagnosis {
     const double in_blueprint = (used_[0]->in_blueprint - used_[1]->in_blueprint).norm();
     const double in_slam = (used_[0]->in_slam - used_[1]->in_slam).norm();
     const std::vector<AnchorId> both{used_[0]->id, used_[1]->id};
-    if (in_blueprint < kCloseShare * input_.blueprint_diagonal_m)
-      return add({Kind::kClose, both, in_blueprint, 0.0, {}});
-    if (input_.scale.rule == ScaleRule::kToScale && in_blueprint > 0.0 &&
-        std::abs(in_slam / in_blueprint - 1.0) > kScaleNote)
-      add({Kind::kLengths, both, in_blueprint, in_slam, {}});
+    const bool close = in_blueprint < kCloseShare * input_.blueprint_diagonal_m;
+    if (close) add({Kind::kClose, both, in_blueprint, 0.0, farthestNode()});
+    if (!close && input_.scale.rule == ScaleRule::kToScale) add({Kind::kLengths, both, in_blueprint, in_slam, {}});
+  }
+
+  /// Where another anchor would tell most: the node that is farthest from all anchors.
+  [[nodiscard]] std::optional<Vector2d> farthestNode() const {
+    return bestNode([this](const Vector2d& node) {
+      double nearest = std::numeric_limits<double>::infinity();
+      for (const PointPair& pair : pairs_) nearest = std::min(nearest, (node - pair.source).norm());
+      return nearest;
+    });
+  }
+
+  template <class Worth>
+  [[nodiscard]] std::optional<Vector2d> bestNode(const Worth& worth) const {
+    if (!input_.nodes || input_.nodes->empty()) return std::nullopt;
+    return *std::max_element(input_.nodes->begin(), input_.nodes->end(),
+                             [&](const Vector2d& a, const Vector2d& b) { return worth(a) < worth(b); });
+  }
+
+  struct Line {
+    Vector2d middle = Vector2d::Zero();
+    Vector2d across = Vector2d::UnitY();
+    double width_over_length = 0.0;
+  };
+
+  /// Along the anchors' spread in the blueprint.
+  [[nodiscard]] Line lineThroughAnchors() const {
+    Line line;
+    for (const PointPair& pair : pairs_) line.middle += pair.source;
+    line.middle /= static_cast<double>(pairs_.size());
+    Eigen::Matrix2d spread = Eigen::Matrix2d::Zero();
+    for (const PointPair& pair : pairs_)
+      spread += (pair.source - line.middle) * (pair.source - line.middle).transpose();
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> axes(spread);
+    const Vector2d extent = axes.eigenvalues().cwiseMax(0.0).cwiseSqrt();
+    if (extent.y() > 0.0) line.width_over_length = extent.x() / extent.y();
+    line.across = axes.eigenvectors().col(0);
+    return line;
   }
 
   bool findMirrored() {
@@ -127,7 +162,7 @@ class Diagnosis {
     const double rms_mirrored = rmsResidual(*mirrored, flipped);
     if (rms < 2.0 * look_m_ || rms_mirrored > kMirrorGain * rms) return false;
     // Anchors near one line fit either way: no verdict from them.
-    if (lineRatio() < kLineWidth) return false;
+    if (lineThroughAnchors().width_over_length < kLineWidth) return false;
     add({Kind::kMirrored, {}, rms, rms_mirrored, {}});
     return true;
   }
@@ -176,7 +211,7 @@ class Diagnosis {
   }
 
   void findScale(const Similarity2& robust) {
-    if (input_.scale.rule != ScaleRule::kToScale || std::abs(robust.scale - 1.0) < kScaleNote) return;
+    if (input_.scale.rule != ScaleRule::kToScale || std::abs(robust.scale - 1.0) < kScaleTolerance) return;
     Vector2d mean = Vector2d::Zero();
     for (const PointPair& pair : pairs_) mean += pair.source;
     mean /= static_cast<double>(pairs_.size());
@@ -211,20 +246,12 @@ class Diagnosis {
     add(std::move(finding));
   }
 
-  /// Width over length of the anchors' spread in the blueprint.
-  [[nodiscard]] double lineRatio() const {
-    Vector2d mean = Vector2d::Zero();
-    for (const PointPair& pair : pairs_) mean += pair.source;
-    mean /= static_cast<double>(pairs_.size());
-    Eigen::Matrix2d spread = Eigen::Matrix2d::Zero();
-    for (const PointPair& pair : pairs_) spread += (pair.source - mean) * (pair.source - mean).transpose();
-    const Vector2d axes =
-        Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(spread).eigenvalues().cwiseMax(0.0).cwiseSqrt();
-    return axes.y() > 0.0 ? axes.x() / axes.y() : 0.0;
-  }
-
   void findLine() {
-    if (lineRatio() < kLineWidth) add({Kind::kCollinear, {}, lineRatio(), 0.0, {}});
+    const Line line = lineThroughAnchors();
+    if (line.width_over_length >= kLineWidth) return;
+    add({Kind::kCollinear, {}, line.width_over_length, 0.0, bestNode([&](const Vector2d& node) {
+           return std::abs(line.across.dot(node - line.middle));
+         })});
   }
 
   void findRooms() {

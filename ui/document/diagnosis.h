@@ -22,10 +22,10 @@ struct Finding {
     kOutlier,           ///< one anchor does not fit the others; value: by how much [m]
     kFolded,            ///< the mesh turns over near these anchors; value: number of tiles
     kScale,             ///< value: SLAM metres per blueprint metre; other: standard deviation of it
-    kLengths,           ///< the same for just two anchors; value: blueprint [m], other: SLAM map [m]
-    kClose,             ///< two anchors too near to each other for a rotation; value: distance [m]
-    kCollinear,         ///< all anchors on one line
-    kOneRoom,           ///< all anchors in one room
+    kLengths,           ///< what just two anchors say of it, right or wrong; value: blueprint [m], other: SLAM map [m]
+    kClose,             ///< two anchors too near to each other for a rotation; value: distance [m]; place: far away
+    kCollinear,         ///< all anchors on one line; place: farthest beside it
+    kOneRoom,           ///< all anchors in one room; place: the largest of the others
     kEmptyRooms,        ///< rooms without anchor; value: how many, place: in the largest
     kSimilarityEnough,  ///< bending gains nothing; value: median error without bending [m]
     kOutsideImage,      ///< these anchors lie beside the image of a side
@@ -38,6 +38,9 @@ struct Finding {
   std::optional<Eigen::Vector2d> place;  ///< [m] blueprint frame
   Side side = Side::kBlueprint;          ///< of kOutsideImage and kUnknownGround
 };
+
+/// Part by which a scale may be off without being called wrong.
+inline constexpr double kScaleTolerance = 0.02;
 
 /// What a map shows around a place.
 enum class Ground { kKnown, kUnknown, kOutsideImage };

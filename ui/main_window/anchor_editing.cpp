@@ -3,7 +3,7 @@
 #include "ui/main_window/anchor_editing.h"
 
 #include "ui/convert.h"
-#include "ui/dialogs/coordinates_dialog.h"
+#include "ui/dialogs/numbers_dialog.h"
 #include "ui/document/anchor_commands.h"
 #include "ui/document/project_commands.h"
 #include "ui/main_window/view_pair.h"
@@ -36,6 +36,7 @@ AnchorEditing::AnchorEditing(Session& session, const Actions& actions, ViewPair&
   on(kToggleEnabled, [this] { toggleSelected(); });
   on(kRename, [this] { renameSelected(); });
   on(kTypeAnchor, [this] { typeCoordinates(); });
+  on(kPlaceInMiddle, [this] { views_.view(views_.activeSide()).clickInMiddle(); });
   on(kSwap, [this] { swapSelected(); });
   on(kSelectAll, [this] {
     std::vector<AnchorId> ids;
@@ -89,6 +90,7 @@ void AnchorEditing::refreshActions() {
   actions_[kRename]->setEnabled(editable && selected == 1);
   actions_[kSwap]->setEnabled(editable && selected == 2);
   actions_[kTypeAnchor]->setEnabled(editable && session_.isReady());
+  actions_[kPlaceInMiddle]->setEnabled(editable && session_.isReady());
   actions_[kCenterOnSelection]->setEnabled(selected > 0);
   const bool any = !document.anchors().empty();
   for (const ActionId id : {kSelectAll, kNextWorst, kPreviousWorst}) actions_[id]->setEnabled(any);
@@ -149,12 +151,22 @@ void AnchorEditing::typeCoordinates() {
   ProjectDocument& document = session_.document();
   const auto id = session_.selection().current();
   const Anchor* anchor = id ? document.anchor(*id) : nullptr;
-  CoordinatesDialog dialog(&window_, anchor, document.nextId());
+  const auto known = [anchor](Side side, Eigen::Index axis) {
+    return anchor ? std::optional(half(*anchor, side)[axis]) : std::nullopt;
+  };
+  NumbersDialog dialog(
+      &window_, anchor ? tr("Coordinates of anchor %1").arg(anchor->id) : tr("New anchor %1").arg(document.nextId()),
+      {{tr("Blueprint &x (m):"), known(Side::kBlueprint, 0)},
+       {tr("Blueprint &y (m):"), known(Side::kBlueprint, 1)},
+       {tr("&SLAM map x (m):"), known(Side::kSlam, 0)},
+       {tr("SLAM &map y (m):"), known(Side::kSlam, 1)}});
   if (dialog.exec() != QDialog::Accepted) return;
+  const Eigen::Vector2d in_blueprint(dialog.value(0), dialog.value(1));
+  const Eigen::Vector2d in_slam(dialog.value(2), dialog.value(3));
   if (anchor) {
-    edit::setCoordinates(document, *id, dialog.inBlueprint(), dialog.inSlam());
+    edit::setCoordinates(document, *id, in_blueprint, in_slam);
   } else {
-    session_.selection().set({edit::addAnchor(document, dialog.inBlueprint(), dialog.inSlam())});
+    session_.selection().set({edit::addAnchor(document, in_blueprint, in_slam)});
   }
 }
 

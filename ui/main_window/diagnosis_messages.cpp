@@ -155,6 +155,10 @@ Cure DiagnosisMessages::showCure(const Finding& finding) {
           }};
 }
 
+Cure DiagnosisMessages::placeCure(const Finding& finding) {
+  return {tr("Show a good place"), showCure({finding.kind, {}, 0.0, 0.0, finding.place}).run};
+}
+
 Cure DiagnosisMessages::rescaleCure(double factor) {
   return {tr("Rescale blueprint"), [this, factor] { edit::rescaleBlueprint(session_.document(), factor); }};
 }
@@ -228,11 +232,14 @@ Message DiagnosisMessages::messageOf(const Finding& finding) {
       break;
     case Kind::kLengths: {
       const double ratio = finding.other / finding.value;
-      message.severity = std::abs(ratio - 1.0) > 0.1 ? Severity::kError : Severity::kWarning;
+      const double off = std::abs(ratio - 1.0);
+      const bool wrong = off > kScaleTolerance;
+      message.severity = off > 0.1 ? Severity::kError : wrong ? Severity::kWarning : Severity::kNote;
       message.text =
-          tr("Blueprint %1 m, SLAM map %2 m between the two anchors (%3 %): check the scale of the blueprint")
+          (wrong ? tr("Blueprint %1 m, SLAM map %2 m between the two anchors (%3 %): check the scale of the blueprint")
+                 : tr("Blueprint %1 m, SLAM map %2 m between the two anchors (%3 %): the scale of the blueprint fits"))
               .arg(numberText(finding.value, 2), numberText(finding.other, 2), percent(ratio));
-      message.cures = {rescaleCure(ratio)};
+      if (wrong) message.cures = {rescaleCure(ratio)};
       break;
     }
     case Kind::kClose:
@@ -240,13 +247,15 @@ Message DiagnosisMessages::messageOf(const Finding& finding) {
                          .arg(first)
                          .arg(second)
                          .arg(lengthText(finding.value));
+      if (finding.place) message.cures = {placeCure(finding)};
       break;
     case Kind::kCollinear:
       message.text = tr("All anchors lie on one line: add one beside it, or the other direction stays a guess");
+      if (finding.place) message.cures = {placeCure(finding)};
       break;
     case Kind::kOneRoom:
       message.text = tr("All anchors are in one room: the rest of the building is a guess");
-      message.cures = {showCure(finding)};
+      message.cures = {placeCure(finding)};
       break;
     case Kind::kEmptyRooms:
       message.severity = Severity::kNote;

@@ -42,6 +42,7 @@ class DiagnosisMessages : public QObject {
   [[nodiscard]] std::shared_ptr<GroundProbe> probeOf(Side side);
   [[nodiscard]] Message messageOf(const Finding& finding);
   [[nodiscard]] Cure showCure(const Finding& finding);
+  [[nodiscard]] Cure placeCure(const Finding& finding);  // where an anchor is missing
   [[nodiscard]] Cure rescaleCure(double factor);
 
   Session& session_;

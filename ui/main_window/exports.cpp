@@ -8,6 +8,7 @@
 #include "ui/convert.h"
 #include "ui/dialogs/save_path.h"
 #include "ui/document/anchor_commands.h"
+#include "ui/engine_sentences.h"
 #include "ui/models/number_text.h"
 #include "ui/panels/message_bar.h"
 #include "ui/services/guarded.h"
@@ -123,7 +124,7 @@ std::vector<ExportCheck> exportChecks(Session& session, const QStringList& findi
     checks.push_back(
         {Verdict::kWarning, Exports::tr("One half anchor is still waiting for its counterpart and is left out")});
   for (const std::string& warning : result->solution.warnings)
-    checks.push_back({Verdict::kWarning, toQString(warning)});
+    checks.push_back({Verdict::kWarning, translatedSentence(warning)});
   return checks;
 }
 
@@ -131,7 +132,7 @@ Exports::Exports(Session& session, MessageBar& messages, QWidget& window)
     : QObject(&window), session_(session), messages_(messages), window_(window) {}
 
 void Exports::showError(const QString& id, const Error& error) {
-  messages_.show({id, Severity::kError, toQString(error.sentence()), {}, 0});
+  messages_.show({id, Severity::kError, toSentence(error), {}, 0});
 }
 
 QString Exports::suggestion(const QString& extension) const {
@@ -179,7 +180,7 @@ bool Exports::importAnchors(const QString& path) {
   if (!read->rejected.empty()) {
     QStringList lines;
     for (const RejectedLine& line : read->rejected)
-      lines += tr("line %1: %2").arg(line.line).arg(toQString(line.reason));
+      lines += tr("line %1: %2").arg(line.line).arg(translatedSentence(line.reason));
     constexpr int kListed = 4;
     text += QStringLiteral(". ") + tr("Left out: %1").arg(lines.mid(0, kListed).join(QStringLiteral("; ")));
     if (lines.size() > kListed) text += tr(" and %n more", nullptr, int(lines.size()) - kListed);

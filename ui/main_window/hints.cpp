@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/main_window/hints.h"
 
-#include "ui/convert.h"
+#include "ui/engine_sentences.h"
 #include "ui/main_window/session.h"
 #include "ui/models/number_text.h"
 
@@ -68,9 +68,13 @@ ChipState chipOf(Session& session) {
       return {Text::tr("up to date, %1 s").arg(numberText(result.seconds, 2)), ChipLook::kGood,
               Text::tr("%1 nodes, %2 iterations").arg(result.mesh->nodeCount()).arg(result.solution.iterations)};
     }
-    case AlignmentStatus::kFailed:
-      return {Text::tr("failed"), ChipLook::kBad,
-              alignment.error() ? toQString(alignment.error()->sentence()) : QString()};
+    case AlignmentStatus::kFailed: {
+      constexpr qsizetype kMostLetters = 60;
+      const QString reason = alignment.error() ? toSentence(*alignment.error()) : QString();
+      if (reason.isEmpty()) return {Text::tr("failed"), ChipLook::kBad, reason};
+      const QString start = reason.size() > kMostLetters ? reason.left(kMostLetters) + QChar(0x2026) : reason;
+      return {Text::tr("failed: %1").arg(start), ChipLook::kBad, reason};
+    }
     case AlignmentStatus::kCancelled:
       return {Text::tr("stopped"), ChipLook::kBad, Text::tr("Click to solve again (F5)")};
   }

@@ -5,6 +5,7 @@
 #include "cad2slam/geometry/angle.h"
 #include "ui/convert.h"
 #include "ui/document/project_commands.h"
+#include "ui/engine_sentences.h"
 #include "ui/main_window/anchor_editing.h"
 #include "ui/main_window/diagnosis_messages.h"
 #include "ui/main_window/exports.h"
@@ -15,6 +16,7 @@
 #include "ui/main_window/project_files.h"
 #include "ui/main_window/recovery.h"
 #include "ui/main_window/stored_view.h"
+#include "ui/main_window/tips.h"
 #include "ui/main_window/view_pair.h"
 #include "ui/models/number_text.h"
 #include "ui/panels/anchor_panel.h"
@@ -166,6 +168,7 @@ void MainWindow::layOut() {
   recovery_ = new Recovery(
       session_, *messages_, [this] { return files_->mayClose(); }, this);
   test_poses_ = new TestPoses(session_, this);
+  new Tips(session_, *messages_, this);
   QMenu* maps = menus.slam_maps;
   connect(maps, &QMenu::aboutToShow, this, [this, maps] {
     maps->clear();
@@ -325,7 +328,7 @@ void MainWindow::connectSession() {
     refreshStatus();
     const auto& error = session_.alignment().error();
     if (session_.alignment().status() == AlignmentStatus::kFailed && error) {
-      QString text = toQString(error->sentence());
+      QString text = toSentence(*error);
       if (session_.alignment().result()) text += QStringLiteral(". ") + tr("What you see is the last good result");
       messages_->show({QStringLiteral("solve"), Severity::kError, text, {}, 0});
     } else if (session_.alignment().status() == AlignmentStatus::kUpToDate ||
@@ -333,7 +336,8 @@ void MainWindow::connectSession() {
       messages_->remove(QStringLiteral("solve"));
     }
   });
-  connect(&session_.rasters(), &RasterStore::changed, this, [this] {
+  connect(&session_.rasters(), &RasterStore::changed, this, [this](Side side) {
+    anchor_panel_->model().setFrame(side, session_.rasters().frame(side));
     if (session_.isReady() && !views_restored_) restoreViewState();
     refreshDropZones();
     refreshActions();

@@ -50,8 +50,8 @@ Menus buildMenus(QMainWindow& window, const Actions& actions) {
 
   QMenu& edit = *bar.addMenu(text(QT_TRANSLATE_NOOP("Menus", "&Edit")));
   add(edit, actions,
-      {kUndo, kRedo, kSeparator, kDelete, kToggleEnabled, kRename, kTypeAnchor, kSwap, kSeparator, kSelectAll,
-       kDisableWorst, kSeparator, kSnap, kLock});
+      {kUndo, kRedo, kSeparator, kDelete, kToggleEnabled, kRename, kPlaceInMiddle, kTypeAnchor, kSwap, kSeparator,
+       kSelectAll, kDisableWorst, kSeparator, kSnap, kLock});
 
   QMenu& maps = *bar.addMenu(text(QT_TRANSLATE_NOOP("Menus", "&Maps")));
   menus.slam_maps = maps.addMenu(text(QT_TRANSLATE_NOOP("Menus", "SLAM map being &edited")));
@@ -68,7 +68,7 @@ Menus buildMenus(QMainWindow& window, const Actions& actions) {
   menus.docks = view.addMenu(text(QT_TRANSLATE_NOOP("Menus", "P&anels")));
 
   QMenu& tools = *bar.addMenu(text(QT_TRANSLATE_NOOP("Menus", "&Tools")));
-  add(tools, actions, {kTestPose, kPlanPath, kSeparator, kLoadPoses, kPastePoses, kClearPoses});
+  add(tools, actions, {kTestPose, kTypePose, kPlanPath, kSeparator, kLoadPoses, kPastePoses, kClearPoses});
 
   QMenu& help = *bar.addMenu(text(QT_TRANSLATE_NOOP("Menus", "&Help")));
   add(help, actions, {kCheatSheet, kTour, kSeparator, kAbout});

@@ -8,6 +8,7 @@
 #include <QEvent>
 
 #include "ui/convert.h"
+#include "ui/engine_sentences.h"
 #include "ui/main_window/mesh_overlay.h"
 #include "ui/panels/marker_class.h"
 
@@ -15,8 +16,6 @@ namespace cad2slam {
 namespace {
 
 constexpr double kMagnification = 10.0;
-const QColor kBlueprintInk(0xe0, 0x00, 0x84);
-const QColor kSlamInk(0x00, 0x9a, 0x44);
 const QColor kGreyInk(0x55, 0x5a, 0x60);
 // Of all SLAM maps over one blueprint; told apart by lightness as well.
 const std::array<QColor, 6> kMapInks{QColor(0xe0, 0x00, 0x84), QColor(0x00, 0x9a, 0x44), QColor(0x1f, 0x5f, 0xd8),
@@ -76,7 +75,7 @@ QString PreviewWiring::reason() const {
     case AlignmentStatus::kNoAnchors:
       return tr("Nothing to lay over it yet: place an anchor in both views");
     case AlignmentStatus::kFailed:
-      return session_.alignment().error() ? toQString(session_.alignment().error()->sentence()) : QString();
+      return session_.alignment().error() ? toSentence(*session_.alignment().error()) : QString();
     default:
       return tr("Solving...");
   }
@@ -166,6 +165,7 @@ void PreviewWiring::refresh() {
   showBase();
   view.setReason(reason());
   view.setNotCurrent(notCurrent());
+  view.setRough(session_.alignment().result() && session_.alignment().result()->solution.anchors_used == 1);
   const Side below = baseSide();
   const Side above = otherSide(below);
   for (const Side side : {below, above}) follow(session_.rasters().picture(side));
@@ -236,7 +236,6 @@ void PreviewWiring::refreshOverlays() {
   view.setResiduals(std::move(residuals), kMagnification);
   if (result && panel_.mode() == PreviewMode::kMesh) {
     const auto mesh = side == Side::kBlueprint ? meshInBlueprint(*result) : meshInSlam(*result);
-    view.setFullColorStrain(fullColorStrain(*mesh));
     view.setMesh(mesh);
   } else {
     view.setMesh(nullptr);

@@ -16,6 +16,9 @@
 
 namespace cad2slam {
 
+inline const QColor kBlueprintInk(0xe0, 0x00, 0x84);
+inline const QColor kSlamInk(0x00, 0x9a, 0x44);
+
 /// Keeps the preview showing the last good result of the session. Does nothing while the preview is hidden.
 class PreviewWiring : public QObject {
   Q_OBJECT

@@ -2,17 +2,21 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/main_window/program_actions.h"
 
+#include "cad2slam/geometry/angle.h"
 #include "cad2slam/io/atomic_file.h"
 #include "ui/convert.h"
 #include "ui/dialogs/cheat_sheet.h"
+#include "ui/dialogs/numbers_dialog.h"
 #include "ui/dialogs/save_path.h"
 #include "ui/dialogs/settings_dialog.h"
 #include "ui/document/project_commands.h"
+#include "ui/engine_sentences.h"
 #include "ui/main_window/appearance.h"
 #include "ui/main_window/diagnosis_messages.h"
 #include "ui/main_window/main_window.h"
 #include "ui/main_window/report.h"
 #include "ui/main_window/tour.h"
+#include "ui/main_window/view_pair.h"
 #include "ui/panels/message_bar.h"
 #include "ui/panels/preview_panel.h"
 #include "ui/tools/test_poses.h"
@@ -102,6 +106,7 @@ void connectProgramActions(MainWindow& window) {
                                      Text::tr("PDF (*.pdf)"), QStringLiteral(".pdf"));
     if (!path.isEmpty()) saveReport(window, path);
   });
+  on(ActionId::kTypePose, [&window] { askTestPose(window); });
   on(ActionId::kTour, [&window] { startTour(window); });
   on(ActionId::kAbout, [&window] {
     QMessageBox::about(
@@ -131,17 +136,47 @@ void connectProgramActions(MainWindow& window) {
 
 bool saveReport(MainWindow& window, const QString& path) {
   ReportExtras extras;
-  extras.pictures.push_back({Text::tr("Preview"), window.preview().view().grab().toImage()});
+  if (const QImage both = picturesOverEachOther(window.session()); !both.isNull())
+    extras.pictures.push_back({Text::tr("Both maps: blueprint magenta, SLAM map green, dark where they agree"), both});
   extras.pictures.push_back({Text::tr("Blueprint"), wholeMap(window.view(Side::kBlueprint))});
   extras.pictures.push_back({Text::tr("SLAM map"), wholeMap(window.view(Side::kSlam))});
   extras.findings = window.diagnosis().sentences(Severity::kNote);
   const QString id = QStringLiteral("report");
   if (const Result<void> written = writeReport(path, window.session(), extras); !written) {
-    window.messages().show({id, Severity::kError, toQString(written.error().sentence()), {}, 0});
+    window.messages().show({id, Severity::kError, toSentence(written.error()), {}, 0});
     return false;
   }
   window.messages().show({id, Severity::kNote, Text::tr("Report written to %1").arg(path), {}, 6000});
   return true;
+}
+
+void askTestPose(MainWindow& window) {
+  constexpr double kDegree = kPi / 180.0;
+  const Side side = window.views().activeSide();
+  TestPoses& poses = window.testPoses();
+  const std::optional<Pose2> now = poses.isRobotVisible() ? poses.robotIn(side) : std::nullopt;
+  NumbersDialog dialog(
+      &window,
+      side == Side::kBlueprint ? Text::tr("Test pose in the blueprint") : Text::tr("Test pose in the SLAM map"),
+      {{Text::tr("&x (m):"), now ? std::optional(now->translation.x()) : std::nullopt},
+       {Text::tr("&y (m):"), now ? std::optional(now->translation.y()) : std::nullopt},
+       {Text::tr("&Heading (degrees):"), now ? now->heading / kDegree : 0.0}});
+  if (dialog.exec() != QDialog::Accepted) return;
+  const Pose2 pose{{dialog.value(0), dialog.value(1)}, wrapAngle(dialog.value(2) * kDegree)};
+  if (!poses.setRobotIn(side, pose)) {
+    window.messages().show({QStringLiteral("poses"),
+                            Severity::kWarning,
+                            Text::tr("A pose of the SLAM map can be shown once there is an alignment"),
+                            {},
+                            6000});
+    return;
+  }
+  window.actionTable()[ActionId::kTestPose]->setChecked(true);
+  for (const Side each : {Side::kBlueprint, Side::kSlam}) {
+    const std::optional<Pose2> there = poses.robotIn(each);
+    MapView& view = window.view(each);
+    if (there && !view.isInView(toQPointF(there->translation))) view.centerOn(toQPointF(there->translation), true);
+  }
 }
 
 void askPoses(MainWindow& window) {
@@ -150,7 +185,7 @@ void askPoses(MainWindow& window) {
   if (path.isEmpty()) return;
   const Result<std::string> text = readFile(toPath(path), kLargestPoseFile);
   if (!text) {
-    window.messages().show({QStringLiteral("poses"), Severity::kError, toQString(text.error().sentence()), {}, 0});
+    window.messages().show({QStringLiteral("poses"), Severity::kError, toSentence(text.error()), {}, 0});
     return;
   }
   showPoses(window, QByteArray::fromStdString(*text), QFileInfo(path).fileName());

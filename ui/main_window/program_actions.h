@@ -15,6 +15,8 @@ void startTour(MainWindow& window);
 /// Writes the report with what the views and the preview show now; problems end in the message bar.
 bool saveReport(MainWindow& window, const QString& path);
 /// Asks for a file of poses and the map they are of, and shows them.
+/// Puts the test pose to typed numbers, in the frame of the active view.
+void askTestPose(MainWindow& window);
 void askPoses(MainWindow& window);
 void pastePoses(MainWindow& window);
 

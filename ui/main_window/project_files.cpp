@@ -7,6 +7,7 @@
 #include "ui/dialogs/save_path.h"
 #include "ui/dialogs/scale_dialog.h"
 #include "ui/document/project_commands.h"
+#include "ui/engine_sentences.h"
 #include "ui/panels/message_bar.h"
 
 #include <QFileDialog>
@@ -23,6 +24,7 @@ namespace cad2slam {
 namespace {
 
 constexpr int kRecentProjects = 8;
+constexpr int kRememberAfter_ms = 2000;
 
 bool isProject(const QString& path) {
   return path.endsWith(QStringLiteral(".c2sproj"), Qt::CaseInsensitive);
@@ -41,6 +43,12 @@ ProjectFiles::ProjectFiles(Session& session, MessageBar& messages, QWidget& wind
     messages_.show({QStringLiteral("image-note-%1").arg(qHash(sentence)), Severity::kNote, sentence, {}, 0});
   });
   connect(&recent_menu_, &QMenu::aboutToShow, this, &ProjectFiles::fillRecentMenu);
+  remember_timer_.setSingleShot(true);
+  connect(&remember_timer_, &QTimer::timeout, this, &ProjectFiles::writeRemembered);
+}
+
+ProjectFiles::~ProjectFiles() {
+  writeRemembered();
 }
 
 QString ProjectFiles::folder() const {
@@ -53,7 +61,7 @@ QString ProjectFiles::folder() const {
 
 void ProjectFiles::showError(const QString& id, const Error& error,
                              std::vector<std::pair<QString, std::function<void()>>> cures) {
-  Message message{id, Severity::kError, toQString(error.sentence()), {}, 0};
+  Message message{id, Severity::kError, toSentence(error), {}, 0};
   for (auto& [label, run] : cures) message.cures.push_back({label, std::move(run)});
   messages_.show(std::move(message));
 }
@@ -205,16 +213,26 @@ void ProjectFiles::takeDropped(Side side, const QStringList& paths) {
   }
 }
 
+/// Not at once: settings wait for the disk, and a project that has just been opened has its images to show.
 void ProjectFiles::remember(const QString& path) {
+  to_remember_.append(QFileInfo(path).absoluteFilePath());
+  remember_timer_.start(kRememberAfter_ms);
+}
+
+void ProjectFiles::writeRemembered() {
+  if (to_remember_.isEmpty()) return;
   QSettings settings;
   QStringList recent = settings.value(QStringLiteral("recent_projects")).toStringList();
-  const QString absolute = QFileInfo(path).absoluteFilePath();
-  recent.removeAll(absolute);
-  recent.prepend(absolute);
+  for (const QString& path : std::as_const(to_remember_)) {
+    recent.removeAll(path);
+    recent.prepend(path);
+  }
+  to_remember_.clear();
   settings.setValue(QStringLiteral("recent_projects"), QStringList(recent.mid(0, kRecentProjects)));
 }
 
 void ProjectFiles::fillRecentMenu() {
+  writeRemembered();
   recent_menu_.clear();
   for (const QString& path : QSettings().value(QStringLiteral("recent_projects")).toStringList()) {
     QAction* action = recent_menu_.addAction(path, this, [this, path] {

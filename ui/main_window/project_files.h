@@ -7,6 +7,7 @@
 
 #include <QObject>
 #include <QStringList>
+#include <QTimer>
 
 #include <functional>
 
@@ -24,6 +25,7 @@ class ProjectFiles : public QObject {
 
  public:
   ProjectFiles(Session& session, MessageBar& messages, QWidget& window, QMenu& recent_menu);
+  ~ProjectFiles() override;
 
   /// Called before a save, to bring the view state of the document up to date.
   void setBeforeSave(std::function<void()> before_save) { before_save_ = std::move(before_save); }
@@ -52,6 +54,7 @@ class ProjectFiles : public QObject {
   [[nodiscard]] const ProjectRaster* rasterOf(const RasterProblem& problem) const;
   void putRaster(const RasterProblem& problem, const ProjectRaster& raster);
   void remember(const QString& path);
+  void writeRemembered();
   void fillRecentMenu();
   void showProblem(const RasterProblem& problem);
   void showError(const QString& id, const Error& error,
@@ -63,6 +66,8 @@ class ProjectFiles : public QObject {
   QWidget& window_;
   QMenu& recent_menu_;
   std::function<void()> before_save_;
+  QStringList to_remember_;  // paths, the newest last
+  QTimer remember_timer_;
 };
 
 }  // namespace cad2slam

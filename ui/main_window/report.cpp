@@ -4,7 +4,9 @@
 
 #include "cad2slam/io/atomic_file.h"
 #include "ui/convert.h"
+#include "ui/main_window/preview_wiring.h"
 #include "ui/models/number_text.h"
+#include "ui/services/preview_renderer.h"
 
 #include <QBuffer>
 #include <QCoreApplication>
@@ -65,6 +67,30 @@ QString rasterRow(const QString& name, const ProjectRaster& raster, const std::o
 }
 
 }  // namespace
+
+QImage picturesOverEachOther(Session& session) {
+  constexpr int kLongSide_px = 1500;
+  const SolveResultPtr& result = session.alignment().result();
+  if (!result || !session.isReady()) return {};
+  RasterStore& rasters = session.rasters();
+  const MapFrame& frame = *rasters.frame(Side::kBlueprint);
+  auto scene = std::make_shared<PreviewScene>();
+  scene->base = {rasters.picture(Side::kBlueprint)->store(), frame};
+  scene->base_ink = kBlueprintInk;
+  scene->layers.push_back(
+      {{rasters.picture(Side::kSlam)->store(), rasters.frame(Side::kSlam)}, result->projector, kSlamInk});
+
+  PreviewRequest request;
+  request.scene = std::move(scene);
+  request.kind = PreviewKind::kInks;
+  request.size = QSize(frame.width(), frame.height()).scaled(kLongSide_px, kLongSide_px, Qt::KeepAspectRatio);
+  request.size = request.size.expandedTo(QSize(1, 1));
+  request.state.center_m = toQPointF(frame.metricFromPixel({frame.width() / 2.0, frame.height() / 2.0}));
+  request.state.m_per_px = frame.resolution() * frame.width() / request.size.width();
+  request.state.rotation_rad = -frame.metricFromCorner().heading;
+  const Result<PreviewPicture> picture = renderPreview(request);
+  return picture ? picture->image : QImage();
+}
 
 QString reportHtml(Session& session, const ReportExtras& extras) {
   ProjectDocument& document = session.document();

@@ -24,6 +24,8 @@ struct ReportExtras {
   QStringList findings;  ///< sentences of the diagnosis
 };
 
+/// Both maps in two inks, the whole blueprint, whatever the preview shows. Null while there is no alignment.
+[[nodiscard]] QImage picturesOverEachOther(Session& session);
 /// The report as HTML; pictures are named picture0, picture1, ...
 [[nodiscard]] QString reportHtml(Session& session, const ReportExtras& extras);
 /// Writes it as PDF on A4, atomically.

@@ -178,13 +178,26 @@ QString AnchorTableModel::tooltip(const Anchor& anchor, int column) const {
   if (column == kLeaveOneOut && judgement && judgement->leave_one_out_m)
     return tr("Without anchor %1 the alignment would be off by %2 here")
         .arg(anchor.id)
-        .arg(lengthText(*judgement->leave_one_out_m));
+        .arg(lengthAndPixels(*judgement->leave_one_out_m));
   if (column == kResidual && judgement && judgement->residual_m)
-    return judgement->is_check
-               ? tr("Not used: the other anchors put this place %1 from where you clicked")
-                     .arg(lengthText(*judgement->residual_m))
-               : tr("The alignment puts this place %1 from where you clicked").arg(lengthText(*judgement->residual_m));
-  return {};
+    return (judgement->is_check ? tr("Not used: the other anchors put this place %1 from where you clicked")
+                                : tr("The alignment puts this place %1 from where you clicked"))
+        .arg(lengthAndPixels(*judgement->residual_m));
+  if (!isCoordinate(column)) return {};
+  const bool in_blueprint = column == kBlueprintX || column == kBlueprintY;
+  const std::optional<MapFrame>& frame = frames_[in_blueprint ? 0 : 1];
+  if (!frame) return {};
+  const Eigen::Vector2d pixel = frame->pixelFromMetric(in_blueprint ? anchor.in_blueprint : anchor.in_slam);
+  return tr("In the image at %1, %2 px").arg(numberText(pixel.x(), 1), numberText(pixel.y(), 1));
+}
+
+QString AnchorTableModel::lengthAndPixels(double length_m) const {
+  if (!frames_[1]) return lengthText(length_m);
+  return tr("%1 (%2 px)").arg(lengthText(length_m), numberText(length_m / frames_[1]->resolution(), 1));
+}
+
+void AnchorTableModel::setFrame(Side side, const std::optional<MapFrame>& frame) {
+  frames_[side == Side::kBlueprint ? 0 : 1] = frame;
 }
 
 QVariant AnchorTableModel::data(const QModelIndex& index, int role) const {

@@ -2,12 +2,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "cad2slam/map/map_frame.h"
 #include "ui/document/judgement.h"
 #include "ui/document/project_document.h"
 
 #include <QAbstractTableModel>
 #include <QColor>
 
+#include <array>
 #include <map>
 #include <optional>
 
@@ -40,6 +42,9 @@ class AnchorTableModel : public QAbstractTableModel {
   /// Numbers of the last solve. `stale`: they belong to an older state, so they are shown grey.
   void setJudgements(std::map<AnchorId, AnchorJudgement> judgements, bool stale);
 
+  /// Of an image, so that pixels can be told; empty while it is not known.
+  void setFrame(Side side, const std::optional<MapFrame>& frame);
+
   [[nodiscard]] AnchorId idOfRow(int row) const;
   [[nodiscard]] std::optional<int> rowOf(AnchorId id) const;
 
@@ -57,8 +62,10 @@ class AnchorTableModel : public QAbstractTableModel {
   [[nodiscard]] QVariant sortValue(const Anchor& anchor, int column) const;
   [[nodiscard]] QString flagText(const Anchor& anchor) const;
   [[nodiscard]] QString tooltip(const Anchor& anchor, int column) const;
+  [[nodiscard]] QString lengthAndPixels(double length_m) const;  // pixels of the SLAM map
 
   ProjectDocument& document_;
+  std::array<std::optional<MapFrame>, 2> frames_;  // blueprint, SLAM map
   std::map<AnchorId, AnchorJudgement> judgements_;
   bool stale_ = false;
   int row_count_ = 0;  // as announced to the views of this model

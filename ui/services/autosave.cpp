@@ -5,6 +5,7 @@
 #include "cad2slam/io/atomic_file.h"
 #include "cad2slam/io/project_file.h"
 #include "ui/convert.h"
+#include "ui/engine_sentences.h"
 #include "ui/services/guarded.h"
 
 #include <QDir>
@@ -90,7 +91,7 @@ void Autosave::tell(const Result<void>& outcome) {
     failure_told_ = false;
     emit written();
   } else if (!std::exchange(failure_told_, true)) {
-    emit failed(toQString(outcome.error().sentence()));
+    emit failed(toSentence(outcome.error()));
   }
 }
 

@@ -4,7 +4,7 @@
 
 #include <exception>
 
-#include "ui/convert.h"
+#include "ui/engine_sentences.h"
 
 namespace cad2slam {
 namespace {
@@ -65,7 +65,7 @@ void PreviewService::take(const Answer& answer) {
   const bool newest = !job_.isBusy();
   const bool same_scene = answer.of.request.scene == wanted_.scene;
   if (!answer.picture) {
-    if (newest) emit failed(toQString(answer.picture.error().sentence()));
+    if (newest) emit failed(toSentence(answer.picture.error()));
     return;
   }
   if (answer.of.sharp) sharp_seconds_ = answer.picture->seconds;

@@ -4,10 +4,12 @@
 
 #include "cad2slam/io/project_file.h"
 #include "ui/convert.h"
+#include "ui/engine_sentences.h"
 #include "ui/services/guarded.h"
 #include "ui/views/background_thread.h"
 
 #include <QFutureWatcher>
+#include <QTimer>
 #include <QtConcurrent>
 
 #include <utility>
@@ -80,6 +82,15 @@ void RasterStore::load(Side side, const ProjectRaster& raster, const std::string
   slot.loading = true;
   const int ticket = slot.ticket;
   emit changed(side, true);
+  // After what is already waiting to be painted, for which the threads would take the processors away.
+  QTimer::singleShot(1, this, [this, side, raster, map, ticket] {
+    if (at(side).ticket == ticket) read(side, raster, map);
+  });
+}
+
+void RasterStore::read(Side side, const ProjectRaster& raster, const std::string& map) {
+  Slot& slot = at(side);
+  const int ticket = slot.ticket;
   slot.picture = TilePyramid::load(raster.metadata.image, raster.metadata.mirrored);
   connect(slot.picture.get(), &TilePyramid::failed, this, [this, side, ticket, raster, map](const QString& sentence) {
     if (at(side).ticket != ticket) return;  // of another image by now, or already told
@@ -129,7 +140,7 @@ void RasterStore::take(Side side, int ticket, const ProjectRaster& raster, const
                   side,
                   map,
                   raster.metadata.image,
-                  toQString(answer.frame.error().sentence()),
+                  toSentence(answer.frame.error()),
                   0,
                   {}});
     return emit changed(side, true);
@@ -151,7 +162,7 @@ void RasterStore::take(Side side, int ticket, const ProjectRaster& raster, const
                   tr("%1 is not the image this project was made with; check that the anchors still fit")
                       .arg(toQString(raster.metadata.image.filename())),
                   answer.described.image_bytes, answer.described.image_sha256});
-  for (const std::string& warning : answer.warnings) emit warned(toQString(warning));
+  for (const std::string& warning : answer.warnings) emit warned(translatedSentence(warning));
 }
 
 }  // namespace cad2slam

@@ -77,6 +77,7 @@ class RasterStore : public QObject {
   void follow(Side side, const ProjectRaster* raster, const std::string& map);
   void reframe(Side side, const MapMetadata& metadata);
   void load(Side side, const ProjectRaster& raster, const std::string& map);
+  void read(Side side, const ProjectRaster& raster, const std::string& map);
   void take(Side side, int ticket, const ProjectRaster& raster, const std::string& map, const Answer& answer);
 
   ProjectDocument& document_;

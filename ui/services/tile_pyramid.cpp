@@ -6,10 +6,13 @@
 #include <exception>
 
 #include <QMetaObject>
+#include <QSemaphore>
+#include <QThread>
 
 #include <opencv2/imgproc.hpp>
 
 #include "ui/convert.h"
+#include "ui/engine_sentences.h"
 #include "ui/services/pyramid_builder.h"
 #include "ui/services/strip_reader.h"
 #include "ui/views/background_thread.h"
@@ -24,6 +27,13 @@ constexpr qint64 kSpanBudget_ns = 3'000'000;
 constexpr std::size_t kMostWanted = 1024;
 constexpr int kRowsAtOnce = 64;
 constexpr int kAlwaysAtHand = 2;  // coarsest levels, a handful of tiles: something can be drawn at any time
+
+/// One for each processor but one: images that are read at the same time leave that one to the window. Held for a strip
+/// at a time.
+QSemaphore& readersAtOnce() {
+  static QSemaphore readers(std::max(1, QThread::idealThreadCount() - 1));
+  return readers;
+}
 
 bool hasColor(const cv::Mat& pixels) {
   for (int row = 0; row < pixels.rows; ++row) {
@@ -96,7 +106,7 @@ void TilePyramid::read(const std::filesystem::path& image, bool mirrored) {
 
 TilePyramid::Cut TilePyramid::cut(const std::filesystem::path& image, bool mirrored, int channels) {
   const auto failWith = [this](const Error& error) {
-    announceFailure(toQString(error.sentence()));
+    announceFailure(toSentence(error));
     return Cut::kFailed;
   };
   Result<std::unique_ptr<StripReader>> reader = StripReader::open(image);
@@ -106,8 +116,9 @@ TilePyramid::Cut TilePyramid::cut(const std::filesystem::path& image, bool mirro
   if ((*reader)->hasAlpha()) store->noteTransparency();
   PyramidBuilder builder(store);
   bool announced = false;
-  int last_percent = 0;
   for (int rows_done = 0; !stop_;) {
+    readersAtOnce().acquire();
+    const QSemaphoreReleaser turn(readersAtOnce());
     Result<cv::Mat> strip = (*reader)->read(kRowsAtOnce);
     if (!strip) return failWith(strip.error());
     if (strip->empty()) break;
@@ -129,12 +140,7 @@ TilePyramid::Cut TilePyramid::cut(const std::filesystem::path& image, bool mirro
     announced = true;
     announceTiles();
     rows_done += rows.rows;
-    const int percent = static_cast<int>(100LL * rows_done / std::max(1, size.height()));
-    if (percent != last_percent) {
-      last_percent = percent;
-      QMetaObject::invokeMethod(
-          this, [this, percent] { emit progressChanged(percent); }, Qt::QueuedConnection);
-    }
+    percent_ = static_cast<int>(100LL * rows_done / std::max(1, size.height()));
   }
   if (stop_) return Cut::kDone;
   if (!builder.finish()) {

@@ -42,12 +42,12 @@ class TilePyramid : public RasterSource {
   [[nodiscard]] QSize size() const override;
   [[nodiscard]] int levelCount() const override;
   [[nodiscard]] QImage::Format format() const override;
+  [[nodiscard]] int percentRead() const override { return state_ == State::kLoading ? percent_.load() : 100; }
   [[nodiscard]] QImage tile(const TileKey& key) override;
   [[nodiscard]] QImage pixels(int level, const QRect& rect) override;
 
  signals:
   void sizeKnown();
-  void progressChanged(int percent);
   void ready();
   void failed(const QString& sentence);
 
@@ -70,6 +70,7 @@ class TilePyramid : public RasterSource {
   qint64 spent_ns_ = 0;  // on unpacking in the GUI thread since then
 
   std::atomic<bool> stop_{false};
+  std::atomic<int> percent_{0};
   std::atomic<bool> tiles_announced_{false};
   std::mutex wanted_mutex_;
   std::vector<TileKey> wanted_;  // the newest last

@@ -3,6 +3,7 @@
 #include "ui/tools/test_poses.h"
 
 #include "ui/convert.h"
+#include "ui/engine_sentences.h"
 #include "ui/models/number_text.h"
 #include "ui/services/guarded.h"
 
@@ -35,7 +36,7 @@ TestPoses::TestPoses(Session& session, QObject* parent) : QObject(parent), sessi
       },
       [this](const Result<PlannedPath>& planned) {
         path_ = planned ? std::optional(*planned) : std::nullopt;
-        if (!planned) emit planningFailed(toQString(planned.error().sentence()));
+        if (!planned) emit planningFailed(toSentence(planned.error()));
         emit changed();
       });
   connect(&session_.alignment(), &Alignment::resultChanged, this, &TestPoses::changed);
@@ -76,6 +77,18 @@ void TestPoses::setRobot(const Pose2& in_blueprint) {
   placed_[0] = true;
   plan();
   emit changed();
+}
+
+std::optional<Pose2> TestPoses::robotIn(Side side) const {
+  bool certain = false;
+  return side == Side::kBlueprint ? poses_[0] : carried(poses_[0], Side::kBlueprint, certain);
+}
+
+bool TestPoses::setRobotIn(Side side, const Pose2& pose) {
+  bool certain = false;
+  const std::optional<Pose2> in_blueprint = side == Side::kBlueprint ? pose : carried(pose, side, certain);
+  if (in_blueprint) setRobot(*in_blueprint);
+  return in_blueprint.has_value();
 }
 
 std::optional<Pose2> TestPoses::carried(const Pose2& pose, Side from, bool& certain) const {

@@ -43,6 +43,10 @@ class TestPoses : public QObject {
   };
   [[nodiscard]] const Pose2& robot() const { return poses_[0]; }  ///< blueprint frame
   void setRobot(const Pose2& in_blueprint);
+  /// The robot in the frame of a side; empty in the SLAM map while there is no alignment.
+  [[nodiscard]] std::optional<Pose2> robotIn(Side side) const;
+  /// False where the pose cannot be carried to the blueprint.
+  bool setRobotIn(Side side, const Pose2& pose);
   /// There and back through the current alignment; empty while there is none.
   [[nodiscard]] std::optional<Tried> tried(const Pose2& in_blueprint) const;
 

@@ -53,6 +53,7 @@ void MapView::setImage(std::shared_ptr<RasterSource> image) {
   disconnect(image_connection_);
   raster_.setSource(image);
   loupe_raster_.setSource(image);
+  image_since_.start();
   if (image) {
     image_connection_ = connect(image.get(), &RasterSource::tilesChanged, this, [this] {
       raster_.refresh();
@@ -117,6 +118,7 @@ void MapView::setResiduals(std::vector<ResidualVector> residuals, double magnifi
   update();
 }
 void MapView::setMesh(std::shared_ptr<const MeshOverlay> mesh) {
+  mesh_full_color_ = mesh ? fullColorStrain(*mesh) : kUsualStrain;
   mesh_.setMesh(std::move(mesh));
   update();
 }
@@ -321,6 +323,29 @@ void MapView::stopAnimation() {
 
 bool MapView::isInView(const QPointF& point_m, double margin_px) const {
   return QRectF(rect()).adjusted(margin_px, margin_px, -margin_px, -margin_px).contains(widgetFromMetres(point_m));
+}
+
+void MapView::panByKey(const QPointF& direction, bool fine) {
+  constexpr double kStep_px = 60.0;
+  constexpr double kSmallStep_px = 6.0;
+  const QPointF way = metresFromWidget(direction * (fine ? kSmallStep_px : kStep_px)) - metresFromWidget(QPointF(0, 0));
+  stopAnimation();
+  fitted_ = false;
+  moved_by_keys_ = true;
+  changeState({state_.center_m + way, state_.m_per_px, state_.rotation_rad});
+}
+
+void MapView::clickInMiddle() {
+  if (!raster_.source() || !frame_) return;
+  moved_by_keys_ = true;
+  emit clicked(metresFromWidget(QRectF(rect()).center()), Qt::NoModifier, false);
+}
+
+void MapView::moveCursor(const QPointF& widget_px) {
+  const bool was_at_legend = cursor_ && legend_rect_.contains(*cursor_);
+  cursor_ = widget_px;
+  moved_by_keys_ = false;
+  if (legend_rect_.contains(widget_px) != was_at_legend) update();
 }
 
 void MapView::resizeEvent(QResizeEvent* event) {

@@ -17,6 +17,7 @@
 #include "ui/views/marker_painter.h"
 #include "ui/views/mesh_layer.h"
 #include "ui/views/paint_turn.h"
+#include "ui/views/preview_legend.h"
 #include "ui/views/raster_layer.h"
 #include "ui/views/raster_source.h"
 #include "ui/views/view_state.h"
@@ -89,6 +90,7 @@ class MapView : public QWidget {
   void setRotation(double rotation_rad);
   /// Keeps zoom and rotation.
   void centerOn(const QPointF& point_m, bool animated);
+  void clickInMiddle();  ///< clicked() there, for those who move the view by keys
   [[nodiscard]] bool isInView(const QPointF& point_m, double margin_px = 24.0) const;
 
   [[nodiscard]] QPointF metresFromWidget(const QPointF& widget_px) const;
@@ -141,6 +143,9 @@ class MapView : public QWidget {
   virtual void paintBase(QPainter& painter);
   /// Over everything else but the loupe.
   virtual void paintOnTop(QPainter& painter);
+  /// What colours mean, shown in the lower right corner; gives way to the pointer.
+  [[nodiscard]] virtual std::optional<PreviewLegend> legend() const;
+  [[nodiscard]] double meshFullColor() const { return mesh_full_color_; }
   [[nodiscard]] RasterLayer& raster() { return raster_; }
   [[nodiscard]] QTransform widgetFromImage() const;
   [[nodiscard]] QColor backgroundColor() const;
@@ -189,9 +194,12 @@ class MapView : public QWidget {
   };
 
   void paintOverlays(QPainter& painter, const QTransform& widget_from_metres, double px_per_m);
+  void paintPoses(QPainter& painter, const QTransform& widget_from_metres, double px_per_m);
   [[nodiscard]] std::vector<SeenMarker> seenMarkers(const QTransform& widget_from_metres) const;
   void paintMarkers(QPainter& painter, const QTransform& widget_from_metres);
   void paintLoupe(QPainter& painter);
+  void paintLegend(QPainter& painter);
+  void moveCursor(const QPointF& widget_px);
   void updateTransform();
   void changeState(const ViewState& state);
   void zoomAt(const QPointF& widget_px, double factor);
@@ -207,6 +215,7 @@ class MapView : public QWidget {
   void findSnap(const QPointF& widget_px, Qt::KeyboardModifiers modifiers);
   void showCursorShape();
   void showLoupeWhileHeld(bool held);
+  void panByKey(const QPointF& direction, bool fine);
   bool nudge(int key, Qt::KeyboardModifiers modifiers);
   void stopAnimation();
 
@@ -214,10 +223,12 @@ class MapView : public QWidget {
   RasterLayer raster_;
   RasterLayer loupe_raster_;
   MeshLayer mesh_;
+  double mesh_full_color_ = kUsualStrain;
   MarkerPainter marker_painter_;
   PaintTurn paint_turn_{*this};
   std::optional<MapFrame> frame_;
   QMetaObject::Connection image_connection_;
+  QElapsedTimer image_since_;
   QString empty_text_;
   std::vector<Marker> markers_;
   bool markers_visible_ = true;
@@ -234,6 +245,7 @@ class MapView : public QWidget {
   MarkerId highlighted_ = kNoMarker;
   QString chip_text_;
   bool framed_ = false;
+  QRectF legend_rect_;
 
   // How.
   ViewState state_;
@@ -247,6 +259,7 @@ class MapView : public QWidget {
   bool locked_ = false;
   bool snapping_ = true;
   bool crosshair_ = false;
+  bool moved_by_keys_ = false;  // since the mouse last moved: the middle is where clickInMiddle() clicks
   bool loupe_on_ = false;
   bool loupe_held_ = false;
   bool drop_hover_ = false;

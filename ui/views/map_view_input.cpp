@@ -27,7 +27,6 @@ constexpr double kHandleReach_px = 9.0;
 constexpr double kSnapReach_px = 10.0;
 constexpr double kZoomPerNotch = 1.25;
 constexpr double kTurnPerNotch_rad = kPi / 36.0;
-constexpr double kPanByKey_px = 60.0;
 constexpr qint64 kBurst_ms = 1000;
 
 double lengthOf(const QPointF& way) {
@@ -243,7 +242,7 @@ void MapView::mouseReleaseEvent(QMouseEvent* event) {
   long_press_.stop();
   if (long_pressed_) update();
   long_pressed_ = false;
-  cursor_ = event->position();
+  moveCursor(event->position());
   if (event->button() == Qt::RightButton && gesture_ == Gesture::kNone) {
     if (!raster_.source() || !frame_) return;
     const std::optional<Hit> hit = hitAt(*cursor_);
@@ -355,19 +354,15 @@ bool MapView::nudge(int key, Qt::KeyboardModifiers modifiers) {
   if (key == Qt::Key_Up) direction = {0, -1};
   if (key == Qt::Key_Down) direction = {0, 1};
   if (direction.isNull() || !frame_) return false;
-  const QPointF origin_m = metresFromWidget(QPointF(0, 0));
   if (selectedMarker() == nullptr) {
-    const QPointF way = metresFromWidget(direction * kPanByKey_px) - origin_m;
-    stopAnimation();
-    fitted_ = false;
-    changeState({state_.center_m + way, state_.m_per_px, state_.rotation_rad});
+    panByKey(direction, modifiers.testFlag(Qt::ControlModifier));
     return true;
   }
   if (locked_) return true;
   double steps = 1.0;
   if (modifiers.testFlag(Qt::ShiftModifier)) steps = 10.0;
   if (modifiers.testFlag(Qt::ControlModifier)) steps = 0.1;
-  const QPointF unit_m = (metresFromWidget(direction) - origin_m) / state_.m_per_px;
+  const QPointF unit_m = (metresFromWidget(direction) - metresFromWidget(QPointF(0, 0))) / state_.m_per_px;
   if (!last_nudge_.isValid() || last_nudge_.elapsed() > kBurst_ms) ++burst_;
   last_nudge_.restart();
   emit nudged(unit_m * (frame_->resolution() * steps), burst_);

@@ -71,15 +71,28 @@ void MapView::paintOverlays(QPainter& painter, const QTransform& widget_from_met
     marker_painter_.paintGhost(painter, widget_from_metres.map(ghost_->point_m), ghost_->radius_m * px_per_m,
                                ghost_->text);
   }
-  for (const PoseGlyph& pose : poses_) {
-    const double on_screen = -(pose.heading_rad + state_.rotation_rad);
-    const bool enlarged = pose.id != kNoMarker && (pose.id == hovered_ || pose.id == highlighted_);
-    marker_painter_.paintPose(painter, pose, widget_from_metres.map(pose.point_m), on_screen, pose.radius_m * px_per_m,
-                              enlarged);
-  }
+  paintPoses(painter, widget_from_metres, px_per_m);
   if (markers_visible_) paintMarkers(painter, widget_from_metres);
   if (mirrored_cursor_m_) {
     marker_painter_.paintMirroredCursor(painter, widget_from_metres.map(*mirrored_cursor_m_), mirrored_certain_);
+  }
+}
+
+void MapView::paintPoses(QPainter& painter, const QTransform& widget_from_metres, double px_per_m) {
+  constexpr std::size_t kMany = 300;  // of which no more than their way can be seen
+  constexpr double kBeside_px = 120.0;
+  const QRectF near = QRectF(rect()).adjusted(-kBeside_px, -kBeside_px, kBeside_px, kBeside_px);
+  const bool many = poses_.size() > kMany;
+  for (const PoseGlyph& pose : poses_) {
+    const QPointF at = widget_from_metres.map(pose.point_m);
+    if (!near.contains(at)) continue;
+    const double on_screen = -(pose.heading_rad + state_.rotation_rad);
+    if (many && pose.id == kNoMarker) {
+      marker_painter_.paintPoseTick(painter, pose, at, on_screen);
+      continue;
+    }
+    const bool enlarged = pose.id != kNoMarker && (pose.id == hovered_ || pose.id == highlighted_);
+    marker_painter_.paintPose(painter, pose, at, on_screen, pose.radius_m * px_per_m, enlarged);
   }
 }
 
@@ -121,6 +134,27 @@ void MapView::paintMarkers(QPainter& painter, const QTransform& widget_from_metr
   }
 }
 
+std::optional<PreviewLegend> MapView::legend() const {
+  if (mesh_.isEmpty()) return std::nullopt;
+  return PreviewLegend::ofMesh(mesh_full_color_);
+}
+
+void MapView::paintLegend(QPainter& painter) {
+  constexpr double kGivesWay = 0.12;
+  constexpr double kEdge_px = 8.0;
+  legend_rect_ = QRectF();
+  const std::optional<PreviewLegend> shown = legend();
+  if (!shown) return;
+  const QPixmap picture =
+      shown->picture(painter.font(), width() - 2.0 * kEdge_px, painter.device()->devicePixelRatioF());
+  const QSizeF area = picture.deviceIndependentSize();
+  legend_rect_ = QRectF(QPointF(width() - area.width() - kEdge_px, height() - area.height() - kEdge_px), area);
+  painter.save();
+  if (cursor_ && legend_rect_.contains(*cursor_)) painter.setOpacity(kGivesWay);
+  painter.drawPixmap(legend_rect_.topLeft(), picture);
+  painter.restore();
+}
+
 void MapView::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   if (!paint_turn_.take(painter)) return;
@@ -130,6 +164,8 @@ void MapView::paintEvent(QPaintEvent*) {
     painter.fillRect(rect(), palette().color(QPalette::Window));
     decoration::paintEmpty(painter, view, empty_text_, palette(), drop_hover_);
     if (hasFocus()) decoration::paintFocus(painter, view, palette().color(QPalette::Highlight));
+    raster_.reserve((view * devicePixelRatioF()).toSize());
+    marker_painter_.prepare(painter);
     return;
   }
 
@@ -138,13 +174,23 @@ void MapView::paintEvent(QPaintEvent*) {
   paintOverlays(painter, widget_from_metres_, 1.0 / state_.m_per_px);
   const bool loupe = loupe_on_ || loupe_held_ || long_pressed_;
   if (snap_m_ && cursor_) marker_painter_.paintSnap(painter, widgetFromMetres(*snap_m_));
-  if (cursor_ && (crosshair_ || loupe)) decoration::paintCrosshair(painter, view, *cursor_);
+  if (moved_by_keys_ && hasFocus()) {
+    decoration::paintCrosshair(painter, view, QRectF(rect()).center());
+  } else if (cursor_ && (crosshair_ || loupe)) {
+    decoration::paintCrosshair(painter, view, *cursor_);
+  }
 
   decoration::paintScaleBar(painter, view, state_.m_per_px * scale_bar_unit_m_);
   decoration::paintCompass(painter, view, state_.rotation_rad, compass_hovered_ || gesture_ == Gesture::kTurnView);
   paintOnTop(painter);
+  paintLegend(painter);
   if (cursor_ && loupe) paintLoupe(painter);
 
+  constexpr int kLongRead_ms = 700;
+  if (const int percent = raster_.source()->percentRead(); percent < 100 && image_since_.elapsed() > kLongRead_ms) {
+    decoration::paintChip(painter, QPointF(view.width() / 2.0, view.height() - 62.0),
+                          tr("Reading the image, %1 %").arg(percent), QColor(50, 54, 60, 215), view.width() * 0.5);
+  }
   if (magnification_note_ && !residuals_.empty() && residual_magnification_ != 1.0) {
     const QString text =
         tr("Residuals drawn %1 times as long").arg(QLocale().toString(residual_magnification_, 'g', 3));

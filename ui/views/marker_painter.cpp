@@ -189,6 +189,16 @@ QPixmap MarkerPainter::words(const QPainter& painter, const QString& text, const
   return textSprite(text, color.darker(145), painter.device()->devicePixelRatioF());
 }
 
+void MarkerPainter::prepare(const QPainter& painter) {
+  Marker marker;
+  for (const MarkerClass judged : {MarkerClass::kPlain, MarkerClass::kOk, MarkerClass::kLook}) {
+    marker.judged = judged;
+    for (const MarkerSize size : {MarkerSize::kSmall, MarkerSize::kNormal})
+      static_cast<void>(markerSprite(marker, size, painter.device()->devicePixelRatioF()));
+    static_cast<void>(words(painter, QStringLiteral("0123456789"), colorOf(judged)));
+  }
+}
+
 void MarkerPainter::paintText(QPainter& painter, const QPointF& at, const QString& text, const QColor& color) {
   if (text.isEmpty()) return;
   const QPixmap sprite = words(painter, text, color);
@@ -314,6 +324,15 @@ void MarkerPainter::paintPose(QPainter& painter, const PoseGlyph& pose, const QP
   // On the side that the heading leaves free.
   const double below = std::sin(heading_on_screen_rad) > 0.0 ? -1.0 : 1.0;
   paintText(painter, at + QPointF(-radius, below * (radius + 13.0)), pose.text, pose.color);
+}
+
+void MarkerPainter::paintPoseTick(QPainter& painter, const PoseGlyph& pose, const QPointF& at,
+                                  double heading_on_screen_rad) {
+  constexpr double kTick_px = 7.0;
+  const QPointF along(std::cos(heading_on_screen_rad), std::sin(heading_on_screen_rad));
+  painter.setPen(QPen(pose.color, pose.hollow ? 1.0 : 2.0));
+  painter.drawLine(at, at + kTick_px * along);
+  painter.fillRect(QRectF(at - QPointF(1.5, 1.5), QSizeF(3.0, 3.0)), pose.color);
 }
 
 void MarkerPainter::paintPath(QPainter& painter, const PathGlyph& path, const QTransform& widget_from_metres) {

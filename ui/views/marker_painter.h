@@ -21,6 +21,8 @@ enum class MarkerSize { kDot, kSmall, kNormal, kEnlarged };
 /// hundreds cost little.
 class MarkerPainter {
  public:
+  /// Draws beforehand what the first anchors of a map need: their numbers, in the classes most of them have.
+  void prepare(const QPainter& painter);
   /// The shape alone.
   void paintMarker(QPainter& painter, const Marker& marker, const QPointF& at, MarkerSize size);
   /// The text of a marker, in an area of textSize() that somebody has found for it.
@@ -36,6 +38,8 @@ class MarkerPainter {
   void paintResidual(QPainter& painter, const QPointF& from, const QPointF& to, MarkerClass judged);
   void paintPose(QPainter& painter, const PoseGlyph& pose, const QPointF& at, double heading_on_screen_rad,
                  double radius_px, bool enlarged);
+  /// A pose among hundreds: a short line with its heading.
+  void paintPoseTick(QPainter& painter, const PoseGlyph& pose, const QPointF& at, double heading_on_screen_rad);
   void paintPath(QPainter& painter, const PathGlyph& path, const QTransform& widget_from_metres);
   void paintMirroredCursor(QPainter& painter, const QPointF& at, bool certain);
   void paintSnap(QPainter& painter, const QPointF& at);

@@ -14,6 +14,9 @@
 
 namespace cad2slam {
 
+/// Of the strongest colour, where no mesh tells it.
+inline constexpr double kUsualStrain = 0.05;
+
 /// Colour of a strain: blue where shorter than at rest, grey at rest, orange to red where longer.
 [[nodiscard]] QColor strainColor(double strain, double full_color_strain);
 

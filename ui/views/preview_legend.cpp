@@ -6,6 +6,7 @@
 
 #include <QFontMetricsF>
 #include <QLinearGradient>
+#include <QLocale>
 #include <QPainter>
 #include <QPainterPath>
 #include <QStringList>
@@ -19,6 +20,7 @@ namespace {
 constexpr double kEdge_px = 9.0;
 constexpr double kSwatch_px = 18.0;
 constexpr double kLeastRamp_px = 170.0;
+const QColor kFold(0xff, 0xeb, 0x3b);
 const QColor kInk(25, 28, 32);
 const QColor kFaintInk(90, 96, 104);
 
@@ -108,6 +110,15 @@ class LegendPainter {
 };
 
 }  // namespace
+
+PreviewLegend::Ramp PreviewLegend::bothWays(const QString& most) {
+  return {false, QStringLiteral("\u2212") + most, QStringLiteral("0"), QStringLiteral("+") + most};
+}
+
+PreviewLegend PreviewLegend::ofMesh(double full_color) {
+  const QString most = tr("%1 %", "per cent").arg(QLocale().toString(100.0 * full_color, 'g', 2));
+  return {tr("Mesh: length against rest"), bothWays(most), {{kFold, tr("crosses: the mesh folds")}}, {}};
+}
 
 QPixmap PreviewLegend::picture(const QFont& font, double most_width, double device_ratio) const {
   const double line = QFontMetricsF(font).height() + 3.0;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <QColor>
+#include <QCoreApplication>
 #include <QFont>
 #include <QPixmap>
 #include <QString>
@@ -14,6 +15,9 @@ namespace cad2slam {
 
 /// What the colours of a preview mean, in words of the user's language.
 struct PreviewLegend {
+  Q_DECLARE_TR_FUNCTIONS(cad2slam::PreviewLegend)
+
+ public:
   struct Row {
     QColor color;  ///< invalid: the row is text only
     QString text;
@@ -30,6 +34,11 @@ struct PreviewLegend {
   std::optional<Ramp> ramp;
   std::vector<Row> rows;
   QString hint;
+
+  /// Of a mesh drawn in colours of strain; `full_color` is the strain of the strongest.
+  [[nodiscard]] static PreviewLegend ofMesh(double full_color);
+  /// Of something that is both more and less: from -`most` to +`most`, a number with its unit.
+  [[nodiscard]] static Ramp bothWays(const QString& most);
 
   /// A panel of its natural width, or of `most_width` logical pixels with its texts cut short.
   [[nodiscard]] QPixmap picture(const QFont& font, double most_width, double device_ratio) const;

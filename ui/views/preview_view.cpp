@@ -23,7 +23,6 @@ constexpr double kFaint = 0.35;
 constexpr double kHeatOpacity = 0.65;
 // More rows are drawn by Qt's threads, for which the window would wait while a solve keeps all processors busy.
 constexpr double kBandRows_px = 64.0;
-constexpr double kGivesWay = 0.12;  // of the legend, to what lies under it
 const QColor kBanner(0xb2, 0x5d, 0x00);
 
 bool isHeat(PreviewMode mode) {
@@ -104,10 +103,6 @@ void PreviewView::setInks(std::vector<InkEntry> inks) {
   inks_ = std::move(inks);
   update();
 }
-void PreviewView::setFullColorStrain(double strain) {
-  full_color_strain_ = strain;
-  update();
-}
 void PreviewView::setReason(const QString& reason) {
   if (reason_ == reason) return;
   reason_ = reason;
@@ -116,6 +111,12 @@ void PreviewView::setReason(const QString& reason) {
 void PreviewView::setNotCurrent(const QString& reason) {
   if (not_current_ == reason) return;
   not_current_ = reason;
+  update();
+}
+
+void PreviewView::setRough(bool rough) {
+  if (rough_ == rough) return;
+  rough_ = rough;
   update();
 }
 
@@ -165,7 +166,7 @@ void PreviewView::paintBase(QPainter& painter) {
   if (blink_held_) return;
   switch (mode_) {
     case PreviewMode::kOverlay:
-      paintPicture(painter, opacity_);
+      paintPicture(painter, rough_ ? std::min(opacity_, kFaint) : opacity_);
       break;
     case PreviewMode::kTwoInk:
     case PreviewMode::kAllMaps:
@@ -240,7 +241,6 @@ void PreviewView::paintOnTop(QPainter& painter) {
   if (!not_current_.isEmpty()) {
     decoration::paintChip(painter, QPointF(width() / 2.0, 10.0), not_current_, kBanner, width() - 110.0);
   }
-  paintLegend(painter);
 }
 
 QString PreviewView::legendTitle() const {
@@ -256,7 +256,7 @@ QString PreviewView::legendTitle() const {
     case PreviewMode::kLens:
       return tr("Lens");
     case PreviewMode::kMesh:
-      return tr("Mesh: length against rest");
+      break;
     case PreviewMode::kResiduals:
       return tr("Residuals, %1 times as long").arg(QLocale().toString(residualMagnification(), 'g', 3));
     case PreviewMode::kStretch:
@@ -313,7 +313,6 @@ std::vector<PreviewLegend::Row> PreviewView::legendRows() const {
       rows.push_back({QColor(), tr("%1 over %2").arg(nameOf(1), nameOf(0))});
       break;
     case PreviewMode::kMesh:
-      rows.push_back({QColor(0xff, 0xeb, 0x3b), tr("crosses: the mesh folds")});
       break;
     case PreviewMode::kResiduals:
       rows.push_back({colorOf(MarkerClass::kOk), tr("good")});
@@ -331,31 +330,21 @@ std::vector<PreviewLegend::Row> PreviewView::legendRows() const {
 }
 
 std::optional<PreviewLegend::Ramp> PreviewView::legendRamp() const {
-  if (!isHeat(mode_) && mode_ != PreviewMode::kMesh) return std::nullopt;
+  if (!isHeat(mode_)) return std::nullopt;
   const bool one_sided = mode_ == PreviewMode::kCoverage;
   const bool turn = mode_ == PreviewMode::kRotation;
   const double in_unit = one_sided ? 1.0 : turn ? 180.0 / kPi : 100.0;
-  const double full = (mode_ == PreviewMode::kMesh ? full_color_strain_ : picture_.full_color) * in_unit;
+  const double full = picture_.full_color * in_unit;
   const QString unit = one_sided ? tr(" m", "metres") : turn ? tr("\u00b0", "degrees") : tr(" %", "per cent");
   const QString number = QLocale().toString(full, 'g', 2) + unit;
-  const QString zero = QStringLiteral("0");
-  if (one_sided) return PreviewLegend::Ramp{true, zero, {}, number};
-  return PreviewLegend::Ramp{false, QStringLiteral("\u2212") + number, zero, QStringLiteral("+") + number};
+  if (one_sided) return PreviewLegend::Ramp{true, QStringLiteral("0"), {}, number};
+  return PreviewLegend::bothWays(number);
 }
 
-void PreviewView::paintLegend(QPainter& painter) {
-  const PreviewLegend legend{legendTitle(), legendRamp(), legendRows(), legendHint()};
-  const QPixmap picture = legend.picture(painter.font(), width() - 16.0, painter.device()->devicePixelRatioF());
-  const QSizeF shown = picture.deviceIndependentSize();
-  legend_rect_ = QRectF(QPointF(width() - shown.width() - 8.0, height() - shown.height() - 8.0), shown);
-  painter.save();
-  if (isAtLegend()) painter.setOpacity(kGivesWay);
-  painter.drawPixmap(legend_rect_.topLeft(), picture);
-  painter.restore();
-}
-
-bool PreviewView::isAtLegend() const {
-  return pointer_ && legend_rect_.contains(*pointer_);
+std::optional<PreviewLegend> PreviewView::legend() const {
+  if (!reason_.isEmpty()) return std::nullopt;
+  if (mode_ == PreviewMode::kMesh) return PreviewLegend::ofMesh(meshFullColor());
+  return PreviewLegend{legendTitle(), legendRamp(), legendRows(), legendHint()};
 }
 
 bool PreviewView::isNearBar(const QPointF& at) const {
@@ -375,9 +364,8 @@ void PreviewView::mouseMoveEvent(QMouseEvent* event) {
     setSwipe(event->position().x() / std::max(1, width()));
     return;
   }
-  const bool was_at_legend = isAtLegend();
   pointer_ = event->position();
-  if (mode_ == PreviewMode::kLens || isAtLegend() != was_at_legend) update();
+  if (mode_ == PreviewMode::kLens) update();
   MapView::mouseMoveEvent(event);
   if (event->buttons() == Qt::NoButton && isNearBar(event->position())) setCursor(Qt::SplitHCursor);
 }

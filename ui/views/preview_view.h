@@ -37,12 +37,12 @@ class PreviewView : public MapView {
   [[nodiscard]] const PreviewPicture& picture() const { return picture_; }
   /// Inks and names of the maps, the base first.
   void setInks(std::vector<InkEntry> inks);
-  /// Value drawn in the strongest colour of the mesh.
-  void setFullColorStrain(double strain);
   /// Why nothing is laid over the base, or empty.
   void setReason(const QString& reason);
   /// Why the picture is not that of the project as it is, or empty.
   void setNotCurrent(const QString& reason);
+  /// Whether the other map lies there only roughly: an overlay is drawn faint then.
+  void setRough(bool rough);
 
  signals:
   void swipeChanged(double part);
@@ -53,6 +53,7 @@ class PreviewView : public MapView {
  protected:
   void paintBase(QPainter& painter) override;
   void paintOnTop(QPainter& painter) override;
+  [[nodiscard]] std::optional<PreviewLegend> legend() const override;
   void mousePressEvent(QMouseEvent* event) override;
   void mouseMoveEvent(QMouseEvent* event) override;
   void mouseReleaseEvent(QMouseEvent* event) override;
@@ -63,12 +64,10 @@ class PreviewView : public MapView {
  private:
   [[nodiscard]] bool isCovered() const;
   void paintPicture(QPainter& painter, double opacity);
-  void paintLegend(QPainter& painter);
   [[nodiscard]] std::vector<PreviewLegend::Row> legendRows() const;
   [[nodiscard]] QString legendTitle() const;
   [[nodiscard]] QString legendHint() const;
   [[nodiscard]] std::optional<PreviewLegend::Ramp> legendRamp() const;
-  [[nodiscard]] bool isAtLegend() const;
   [[nodiscard]] bool isNearBar(const QPointF& at) const;
 
   PreviewMode mode_ = PreviewMode::kOverlay;
@@ -79,12 +78,11 @@ class PreviewView : public MapView {
   bool blink_shows_other_ = false;
   QTimer blink_timer_;
   std::optional<QPointF> pointer_;  // where the lens is
-  QRectF legend_rect_;              // gives way to the pointer, so that what lies under it can be seen
   PreviewPicture picture_;
   std::vector<InkEntry> inks_;
-  double full_color_strain_ = 0.05;
   QString reason_;
   QString not_current_;
+  bool rough_ = false;
 };
 
 }  // namespace cad2slam

@@ -65,8 +65,17 @@ void shiftInPlace(QImage& image, const QPoint& shift) {
 void RasterLayer::setSource(std::shared_ptr<RasterSource> source) {
   source_ = std::move(source);
   patch_ = cv::Mat();
-  picture_ = QImage();
+  picture_complete_ = false;
   stale_ = true;
+}
+
+void RasterLayer::reserve(const QSize& device_size) {
+  if (picture_.size() == device_size) return;
+  const qsizetype row_bytes = 4 * static_cast<qsizetype>(device_size.width());
+  const auto bytes = static_cast<std::size_t>(row_bytes * device_size.height());
+  if (bytes > picture_buffer_.size()) picture_buffer_.assign(bytes, 0);
+  picture_ = QImage(picture_buffer_.data(), device_size.width(), device_size.height(), row_bytes, QImage::Format_RGB32);
+  picture_complete_ = false;
 }
 
 int RasterLayer::levelForScale(double device_px, int level_count) {
@@ -131,7 +140,7 @@ bool RasterLayer::gatherPatch(const QTransform& device_from_image, const QSize& 
   if (!same) {
     const QRect level_rect(QPoint(0, 0), level_size);
     const QRect covered = QRect(left * kTile, top * kTile, tiles.width() * kTile, tiles.height() * kTile) & level_rect;
-    if (!patch_.empty() && patch_.type() != type) picture_ = QImage();  // the raster turned out to have colour
+    if (!patch_.empty() && patch_.type() != type) picture_complete_ = false;  // the raster turned out to have colour
     if (patch_buffer_.type() != type || patch_buffer_.cols < covered.width() || patch_buffer_.rows < covered.height()) {
       patch_ = cv::Mat();
       const int columns = std::max(patch_buffer_.cols, covered.width());
@@ -239,9 +248,7 @@ void RasterLayer::paint(QPainter& painter, const QTransform& widget_from_image, 
       picture_transform_ = moved;
     }
   } else {
-    if (picture_.size() != device_size) {
-      picture_ = QImage(device_size, QImage::Format_RGB32);
-    }
+    reserve(device_size);
     resample(device_from_image, picture_.rect(), background);
     picture_transform_ = device_from_image;
     picture_background_ = background;

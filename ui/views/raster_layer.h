@@ -9,6 +9,7 @@
 #include <QTransform>
 
 #include <memory>
+#include <vector>
 
 #include <opencv2/core/mat.hpp>
 
@@ -21,10 +22,18 @@ namespace cad2slam {
 /// only the strips that come into view.
 class RasterLayer {
  public:
+  RasterLayer() = default;
+  RasterLayer(const RasterLayer&) = delete;  // the picture lies in a buffer of its own layer
+  RasterLayer& operator=(const RasterLayer&) = delete;
+
   void setSource(std::shared_ptr<RasterSource> source);
   [[nodiscard]] const std::shared_ptr<RasterSource>& source() const { return source_; }
   /// Tiles arrived: look again at those that were missing.
   void refresh() { stale_ = true; }
+
+  /// Takes the memory for pictures of this size beforehand: where a page of it is slow to get, as in a virtual machine,
+  /// that is most of what the first picture costs.
+  void reserve(const QSize& device_size);
 
   /// Fills the rectangle (0, 0, size) of the painter, logical pixels; `background` where the raster is not.
   void paint(QPainter& painter, const QTransform& widget_from_image, const QSize& size, const QColor& background);
@@ -50,11 +59,12 @@ class RasterLayer {
   QRect patch_tiles_;           // columns and rows of tiles
   bool patch_complete_ = true;  // no tile stands in for a missing one
 
-  // The last picture, device pixels.
+  // The last picture, device pixels, in a buffer that only grows.
+  std::vector<uchar> picture_buffer_;
   QImage picture_;
   QTransform picture_transform_;
   QColor picture_background_;
-  bool picture_complete_ = true;
+  bool picture_complete_ = false;
 };
 
 }  // namespace cad2slam

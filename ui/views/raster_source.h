@@ -36,6 +36,9 @@ class RasterSource : public QObject {
   [[nodiscard]] virtual int levelCount() const = 0;
   [[nodiscard]] virtual QImage::Format format() const = 0;
 
+  /// Of the rows that are read so far, where that goes on in the background.
+  [[nodiscard]] virtual int percentRead() const { return 100; }
+
   /// A tile without waiting. Null when it is not at hand: it is then fetched, and tilesChanged() tells when to ask
   /// again. Tiles on the right and bottom edge are smaller than kTileSize.
   [[nodiscard]] virtual QImage tile(const TileKey& key) = 0;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 #include <string>
 
 namespace cad2slam {
@@ -62,9 +63,10 @@ Result<Mesh> buildMesh(const OccupancyGrid& blueprint, std::optional<double> cel
     for (int column = 0; column < columns.count(); ++column) {
       if (!holdsFreePixel(blueprint.states(), columns, rows, column, row)) continue;
       if (tiles.size() == kMaxNodes) {
-        return fail(ErrorCode::kOutOfDomain, "cells of " + std::to_string(lattice.cell_size) +
-                                                 " m give a mesh of more than " + std::to_string(kMaxNodes) +
-                                                 " nodes; choose a larger cell size");
+        std::ostringstream cell_size;
+        cell_size << lattice.cell_size;
+        return fail(ErrorCode::kOutOfDomain, "cells of " + cell_size.str() + " m give a mesh of more than " +
+                                                 std::to_string(kMaxNodes) + " nodes; choose a larger cell size");
       }
       centers.push_back(frame.metricFromPixel(
           {0.5 * (columns.begin(column) + columns.end(column)), 0.5 * (rows.begin(row) + rows.end(row))}));

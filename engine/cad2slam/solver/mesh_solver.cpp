@@ -423,9 +423,10 @@ void MeshSolver::Impl::addComponentWarning(Solution& solution) const {
   for (const bool is_held : held) free_components += is_held ? 0 : 1;
   if (free_components == 0) return;
   const std::size_t free_nodes = mesh_->nodeCount() - objective_.nodeCount();
-  solution.warnings.push_back(plural(free_components, "part", "parts") + " of the free space (" +
-                              plural(free_nodes, "node", "nodes") +
-                              ") not connected to any anchor and only follow the global fit.");
+  solution.warnings.push_back(
+      plural(free_components, "part", "parts") + " of the free space (" + plural(free_nodes, "node", "nodes") +
+      (free_components == 1 ? ") is not connected to any anchor and only follows the global fit."
+                            : ") are not connected to any anchor and only follow the global fit."));
 }
 
 std::vector<double> MeshSolver::Impl::projectionSigma(const std::vector<Vector2d>& points) const {

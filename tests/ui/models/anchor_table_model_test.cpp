@@ -72,6 +72,19 @@ class AnchorTableModelTest : public QObject {
     QCOMPARE(numberText(-0.0001, 2), QStringLiteral("0,00"));
   }
 
+  void pixelsAreToldOnDemand() {
+    TableModel model(document_);
+    const auto tip = [&model](int column) { return model.data(model.index(0, column), Qt::ToolTipRole).toString(); };
+    QVERIFY(tip(TableModel::kSlamX).isEmpty());
+    model.setJudgements({{1, {.residual_m = 0.1}}}, false);
+    QVERIFY(!tip(TableModel::kResidual).contains(QStringLiteral("px")));
+    // 100 x 80 pixels of 5 cm, the origin in the lower left corner: y up in metres, down in pixels.
+    model.setFrame(Side::kSlam, MapFrame::create(0.05, 100, 80, Pose2{}).value());
+    QVERIFY2(tip(TableModel::kSlamX).contains(QStringLiteral("60.0, 0.0 px")), qPrintable(tip(TableModel::kSlamX)));
+    QVERIFY(tip(TableModel::kBlueprintX).isEmpty());
+    QVERIFY(tip(TableModel::kResidual).contains(QStringLiteral("2.0 px")));
+  }
+
   void scenario13_disabledRowsAreChecksInItalics() {
     TableModel model(document_);
     edit::setEnabled(document_, {2}, false);

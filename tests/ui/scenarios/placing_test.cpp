@@ -17,6 +17,7 @@
 #include <QTemporaryDir>
 
 #include <algorithm>
+#include <map>
 
 using namespace cad2slam;
 using test::OfficeWindow;
@@ -81,6 +82,34 @@ class PlacingTest : public QObject {
       QVERIFY((placed.in_blueprint - office.pairs[i].in_blueprint).norm() <= office.clickError(Side::kBlueprint));
       QVERIFY((placed.in_slam - office.pairs[i].in_slam).norm() <= office.clickError(Side::kSlam));
     }
+  }
+
+  void scenario27_anAnchorIsPlacedWithoutAMouse() {
+    OfficeWindow office;
+    const auto middle = [&office](Side side) {
+      const MapView& view = office.window.view(side);
+      return toEigen(view.metresFromWidget(QRectF(view.rect()).center()));
+    };
+    std::map<Side, Eigen::Vector2d> clicked;
+    for (const Side side : {Side::kBlueprint, Side::kSlam}) {
+      const Eigen::Vector2d before = middle(side);
+      office.key(side, Qt::Key_Right);
+      office.key(side, Qt::Key_Up);
+      const Eigen::Vector2d coarse = middle(side) - before;
+      office.key(side, Qt::Key_Right, Qt::ControlModifier);
+      const Eigen::Vector2d fine = middle(side) - before - coarse;
+      QVERIFY(coarse.x() > 0.0 && coarse.y() > 0.0 && fine.x() > 0.0);
+      QVERIFY(std::abs(fine.x() / coarse.x() - 0.1) < 1e-6);
+      clicked[side] = middle(side);
+      QTest::keyClick(&office.window.view(side), Qt::Key_Insert);
+    }
+    QCOMPARE(office.document().anchors().size(), std::size_t(1));
+    for (const Side side : {Side::kBlueprint, Side::kSlam})
+      QVERIFY((half(office.document().anchors()[0], side) - clicked[side]).norm() < 1e-9);
+    // Arrow keys now move the anchor that is there, not the map.
+    office.key(Side::kSlam, Qt::Key_Left);
+    QVERIFY((middle(Side::kSlam) - clicked[Side::kSlam]).norm() < 1e-9);
+    QVERIFY(office.document().anchors()[0].in_slam.x() < clicked[Side::kSlam].x());
   }
 
   void scenario3_aHalfStaysOnItsFeature() {

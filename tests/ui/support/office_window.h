@@ -8,6 +8,7 @@
 #include "ui/main_window/diagnosis_messages.h"
 #include "ui/main_window/main_window.h"
 #include "ui/main_window/project_files.h"
+#include "ui/main_window/tips.h"
 #include "ui/main_window/view_pair.h"
 #include "ui/panels/message_bar.h"
 #include "ui/services/autosave.h"
@@ -36,6 +37,7 @@ class Sandbox {
     QSettings::setDefaultFormat(QSettings::IniFormat);
     QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, folder_.path());
     QLocale::setDefault(QLocale::c());
+    Tips::setWanted(false);
   }
   ~Sandbox() { QDir(Autosave::defaultRoot()).removeRecursively(); }
   [[nodiscard]] QString path(const QString& name) const { return folder_.filePath(name); }

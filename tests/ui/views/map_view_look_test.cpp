@@ -124,6 +124,27 @@ class MapViewLookTest : public QObject {
     QVERIFY(std::abs(turned[0][1].toDouble() - kPi / 2.0) < 0.05);
   }
 
+  void manyPosesAreTicksThatShowTheirHeadings() {
+    Shown shown;
+    const QImage before = shown.view.grab().toImage();
+    std::vector<PoseGlyph> poses(20'000);
+    for (std::size_t i = 0; i < poses.size(); ++i) {
+      poses[i].point_m = shown.middle() + QPointF(100.0 + static_cast<double>(i), 0.0);  // out of view
+      poses[i].color = Qt::magenta;
+    }
+    shown.view.setPoses(poses);
+    QCOMPARE(shown.view.grab().toImage(), before);
+    poses[7].point_m = shown.middle();
+    poses[7].heading_rad = kPi / 2.0;  // up
+    shown.view.setPoses(poses);
+    const QImage with_one = shown.view.grab().toImage();
+    const QPoint at = shown.at(shown.middle());
+    const auto color = [&](const QPoint& place) { return with_one.pixelColor(place * shown.view.devicePixelRatioF()); };
+    QCOMPARE(color(at), QColor(Qt::magenta));
+    QCOMPARE(color(at - QPoint(0, 5)), QColor(Qt::magenta));
+    QVERIFY(color(at + QPoint(0, 5)) != QColor(Qt::magenta));
+  }
+
   void rasterIsDrawnWhereTheFrameSaysIt_data() {
     QTest::addColumn<double>("rotation");
     QTest::addColumn<double>("zoom");

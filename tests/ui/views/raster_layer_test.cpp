@@ -73,6 +73,36 @@ class RasterLayerTest : public QObject {
     }
   }
 
+  /// The memory of pictures is used again, what was in it is not: not after another raster, nor in another size.
+  void picturesDoNotShowEarlierOnes() {
+    const std::shared_ptr<TilePyramid> plan = TilePyramid::fromPixels(test::floorPlan(900, 700));
+    const auto grey = TilePyramid::fromPixels(cv::Mat(900, 900, CV_8UC1, cv::Scalar(120)));
+    const auto pictureOf = [](RasterLayer& layer, const QSize& size) {
+      QImage picture(size, QImage::Format_RGB32);
+      QPainter painter(&picture);
+      layer.paint(painter, QTransform::fromScale(0.9, 0.9), size, QColor(90, 90, 90));
+      return picture;
+    };
+    RasterLayer used;
+    used.reserve(QSize(200, 100));
+    used.setSource(grey);
+    for (const QSize& size : {QSize(320, 240), QSize(500, 300), QSize(180, 400), QSize(320, 240)}) {
+      QVERIFY(QTest::qWaitFor([&] { return static_cast<void>(pictureOf(used, size)), used.isComplete(); }, 60'000));
+      used.setSource(plan);
+      RasterLayer fresh;
+      fresh.setSource(plan);
+      QVERIFY(QTest::qWaitFor(
+          [&] {
+            used.refresh();
+            fresh.refresh();
+            const bool same = pictureOf(used, size) == pictureOf(fresh, size);
+            return used.isComplete() && fresh.isComplete() && same;
+          },
+          60'000));
+      used.setSource(grey);
+    }
+  }
+
   void coarseTilesStandInForMissingOnes() {
     class Late : public RasterSource {
      public:

@@ -269,7 +269,6 @@ class ViewPicturesTest : public QObject {
         const bool with_mesh = view.mode() == PreviewMode::kMesh;
         const std::shared_ptr<MeshOverlay> mesh = with_mesh ? overlayOf(*site, !blueprint_below) : nullptr;
         view.setMesh(mesh);
-        if (mesh) view.setFullColorStrain(fullColorStrain(*mesh));
         view.setMarkers(view.mode() == PreviewMode::kResiduals ? markersOf(*site, !blueprint_below)
                                                                : std::vector<Marker>());
         QTest::mouseMove(&view, QPoint(430 + mode, 300));
