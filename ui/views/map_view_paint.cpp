@@ -67,12 +67,12 @@ void MapView::paintOverlays(QPainter& painter, const QTransform& widget_from_met
     const QPointF to = widget_from_metres.map(residual.clicked_m);
     marker_painter_.paintResidual(painter, from, from + (to - from) * residual_magnification_, residual.judged);
   }
-  if (ghost_) {
+  paintPoses(painter, widget_from_metres, px_per_m);
+  if (markers_visible_) paintMarkers(painter, widget_from_metres);
+  if (ghost_) {  // over other anchors: it is what the next key or click is about
     marker_painter_.paintGhost(painter, widget_from_metres.map(ghost_->point_m), ghost_->radius_m * px_per_m,
                                ghost_->text);
   }
-  paintPoses(painter, widget_from_metres, px_per_m);
-  if (markers_visible_) paintMarkers(painter, widget_from_metres);
   if (mirrored_cursor_m_) {
     marker_painter_.paintMirroredCursor(painter, widget_from_metres.map(*mirrored_cursor_m_), mirrored_certain_);
   }
