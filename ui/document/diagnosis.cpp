@@ -110,9 +110,10 @@ class Diagnosis {
     const double in_blueprint = (used_[0]->in_blueprint - used_[1]->in_blueprint).norm();
     const double in_slam = (used_[0]->in_slam - used_[1]->in_slam).norm();
     const std::vector<AnchorId> both{used_[0]->id, used_[1]->id};
-    const bool close = in_blueprint < kCloseShare * input_.blueprint_diagonal_m;
-    if (close) add({Kind::kClose, both, in_blueprint, 0.0, farthestNode()});
-    if (!close && input_.scale.rule == ScaleRule::kToScale) add({Kind::kLengths, both, in_blueprint, in_slam, {}});
+    if (in_blueprint < kCloseShare * input_.blueprint_diagonal_m)
+      return add({Kind::kClose, both, in_blueprint, 0.0, farthestNode()});
+    if (input_.scale.rule == ScaleRule::kToScale && in_blueprint > 0.0)
+      add({Kind::kLengths, both, in_blueprint, in_slam, {}});
   }
 
   /// Where another anchor would tell most: the node that is farthest from all anchors.

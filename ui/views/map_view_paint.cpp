@@ -79,13 +79,13 @@ void MapView::paintOverlays(QPainter& painter, const QTransform& widget_from_met
 }
 
 void MapView::paintPoses(QPainter& painter, const QTransform& widget_from_metres, double px_per_m) {
-  constexpr std::size_t kMany = 300;  // of which no more than their way can be seen
-  constexpr double kBeside_px = 120.0;
-  const QRectF near = QRectF(rect()).adjusted(-kBeside_px, -kBeside_px, kBeside_px, kBeside_px);
+  constexpr std::size_t kMany = 300;    // of which no more than their way can be seen
+  constexpr double kBeside_px = 120.0;  // handle and text
   const bool many = poses_.size() > kMany;
   for (const PoseGlyph& pose : poses_) {
     const QPointF at = widget_from_metres.map(pose.point_m);
-    if (!near.contains(at)) continue;
+    const double reach = kBeside_px + pose.radius_m * px_per_m;
+    if (!QRectF(rect()).adjusted(-reach, -reach, reach, reach).contains(at)) continue;
     const double on_screen = -(pose.heading_rad + state_.rotation_rad);
     if (many && pose.id == kNoMarker) {
       marker_painter_.paintPoseTick(painter, pose, at, on_screen);

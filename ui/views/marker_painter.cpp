@@ -330,9 +330,11 @@ void MarkerPainter::paintPoseTick(QPainter& painter, const PoseGlyph& pose, cons
                                   double heading_on_screen_rad) {
   constexpr double kTick_px = 7.0;
   const QPointF along(std::cos(heading_on_screen_rad), std::sin(heading_on_screen_rad));
+  painter.save();
   painter.setPen(QPen(pose.color, pose.hollow ? 1.0 : 2.0));
   painter.drawLine(at, at + kTick_px * along);
   painter.fillRect(QRectF(at - QPointF(1.5, 1.5), QSizeF(3.0, 3.0)), pose.color);
+  painter.restore();
 }
 
 void MarkerPainter::paintPath(QPainter& painter, const PathGlyph& path, const QTransform& widget_from_metres) {

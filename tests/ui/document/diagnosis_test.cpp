@@ -155,6 +155,10 @@ class DiagnosisTest : public QObject {
     const Finding lengths = *find(diagnose(inputOf(anchors)), Kind::kLengths);
     QCOMPARE(lengths.value, 20.0);
     QCOMPARE(lengths.other, 20.62);
+    anchors[1].in_blueprint = anchors[0].in_blueprint;
+    DiagnosisInput without_size = inputOf(anchors);
+    without_size.blueprint_diagonal_m = 0.0;
+    QVERIFY2(!find(diagnose(without_size), Kind::kLengths), "no length to compare with");
     anchors[1].in_blueprint = {1.0, 0};
     const std::vector<Eigen::Vector2d> nodes{{3.0, 1.0}, {12.0, -4.0}, {0.5, 0.0}};
     DiagnosisInput input = inputOf(anchors);

@@ -124,6 +124,21 @@ class MapViewLookTest : public QObject {
     QVERIFY(std::abs(turned[0][1].toDouble() - kPi / 2.0) < 0.05);
   }
 
+  void aLargeRobotIsSeenWhileAPartOfItIsInView() {
+    Shown shown;
+    const double view_m = shown.view.width() * shown.view.viewState().m_per_px;
+    PoseGlyph pose;
+    pose.point_m = shown.middle() + QPointF(2.0 * view_m, 0.0);
+    pose.color = Qt::magenta;
+    const QImage before = shown.view.grab().toImage();
+    pose.radius_m = 1.2 * view_m;
+    shown.view.setPoses({pose});
+    QCOMPARE(shown.view.grab().toImage(), before);
+    pose.radius_m = 1.8 * view_m;
+    shown.view.setPoses({pose});
+    QVERIFY(shown.view.grab().toImage() != before);
+  }
+
   void manyPosesAreTicksThatShowTheirHeadings() {
     Shown shown;
     const QImage before = shown.view.grab().toImage();
