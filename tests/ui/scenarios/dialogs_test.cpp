@@ -3,6 +3,7 @@
 #include "ui/support/office_window.h"
 
 #include "ui/dialogs/numbers_dialog.h"
+#include "ui/main_window/appearance.h"
 #include "ui/main_window/report.h"
 #include "ui/main_window/view_pair.h"
 #include "ui/panels/preview_panel.h"
@@ -132,6 +133,30 @@ class DialogsTest : public QObject {
     OfficeWindow office;
     QVERIFY(isInMenu(office));
     QVERIFY(QSettings().value(QStringLiteral("recent_projects")).toStringList().contains(other));
+  }
+
+  /// From the engine to the bar, in the language of the window.
+  void errorsOfTheEngineSpeakTheLanguageOfTheWindow() {
+    const test::Sandbox sandbox;
+    const QString path = sandbox.path(QStringLiteral("broken.c2sproj"));
+    QFile file(path);
+    QVERIFY(file.open(QIODevice::WriteOnly));
+    file.write("{\n \"name\": ");
+    file.close();
+    QStringList told;
+    for (const char* language : {"de", "es", "en"}) {
+      applyLanguage(QString::fromLatin1(language));
+      OfficeWindow office(false);
+      QVERIFY(!office.window.files().openProject(path));
+      for (const Message& message : office.window.messages().messages())
+        if (message.id == QStringLiteral("open")) told += message.text;
+    }
+    QLocale::setDefault(QLocale::c());
+    QCOMPARE(told.size(), 3);
+    for (const QString& text : told) QVERIFY2(text.startsWith(path + QStringLiteral(":2: ")), qPrintable(text));
+    QVERIFY2(told[0].endsWith(QStringLiteral(" kein gültiges JSON")), qPrintable(told[0]));
+    QVERIFY2(told[1].endsWith(QStringLiteral(": no es JSON válido")), qPrintable(told[1]));
+    QVERIFY2(told[2].endsWith(QStringLiteral(": is not valid JSON")), qPrintable(told[2]));
   }
 
   void tipsComeOnceAndNotToWhoDoesNotWantThem() {
