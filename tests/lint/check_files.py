@@ -10,6 +10,8 @@ import re
 import sys
 from pathlib import Path
 
+import lint_main
+
 SPDX = ("SPDX-FileCopyrightText: 2026 The CAD2SLAM authors", "SPDX-License-Identifier: Apache-2.0")
 MAX_LINES = 500
 FOLDERS = ("app", "cmake", "docs", "engine", "packaging", "python", "resources", "sample_maps", "tests", "ui", ".ci")
@@ -84,12 +86,5 @@ def findings(root: Path) -> list[str]:
     return found
 
 
-def main() -> int:
-    root = Path(sys.argv[1]) if len(sys.argv) > 1 else Path(__file__).resolve().parents[2]
-    found = findings(root)
-    print("\n".join([f"warning: {line}" for line in untested(root)] + found) or "files: every file is in order")
-    return 1 if found else 0
-
-
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(lint_main.run(findings, "files: every file is in order", untested))

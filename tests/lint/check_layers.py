@@ -11,6 +11,8 @@ import sys
 from pathlib import Path
 from typing import Iterator, NamedTuple
 
+import lint_main
+
 # What a module of the engine may include besides itself.
 _BASE = {"core", "geometry"}
 _PLACES = _BASE | {"map", "anchors", "mesh"}
@@ -172,12 +174,5 @@ def findings(root: Path) -> list[str]:
     return found
 
 
-def main() -> int:
-    root = Path(sys.argv[1]) if len(sys.argv) > 1 else Path(__file__).resolve().parents[2]
-    found = findings(root)
-    print("\n".join(found) if found else "layers: every include is in order")
-    return 1 if found else 0
-
-
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(lint_main.run(findings, "layers: every include is in order"))

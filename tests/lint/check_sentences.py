@@ -14,6 +14,8 @@ import sys
 from pathlib import Path
 from typing import Iterator, NamedTuple
 
+import lint_main
+
 PATTERNS = "ui/engine_patterns.cpp"
 
 # Who takes a sentence, or a part of one: number of that argument, negative from the end.
@@ -301,12 +303,5 @@ def findings(root: Path) -> list[str]:
     return found
 
 
-def main() -> int:
-    root = Path(sys.argv[1]) if len(sys.argv) > 1 else Path(__file__).resolve().parents[2]
-    found = findings(root)
-    print("\n".join(found) if found else "sentences: the app can translate each of the engine")
-    return 1 if found else 0
-
-
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(lint_main.run(findings, "sentences: the app can translate each of the engine"))

@@ -132,6 +132,12 @@ class Diagnosis {
                              [&](const Vector2d& a, const Vector2d& b) { return worth(a) < worth(b); });
   }
 
+  [[nodiscard]] Vector2d middleOfAnchors() const {
+    Vector2d sum = Vector2d::Zero();
+    for (const PointPair& pair : pairs_) sum += pair.source;
+    return sum / static_cast<double>(pairs_.size());
+  }
+
   struct Line {
     Vector2d middle = Vector2d::Zero();
     Vector2d across = Vector2d::UnitY();
@@ -141,8 +147,7 @@ class Diagnosis {
   /// Along the anchors' spread in the blueprint.
   [[nodiscard]] Line lineThroughAnchors() const {
     Line line;
-    for (const PointPair& pair : pairs_) line.middle += pair.source;
-    line.middle /= static_cast<double>(pairs_.size());
+    line.middle = middleOfAnchors();
     Eigen::Matrix2d spread = Eigen::Matrix2d::Zero();
     for (const PointPair& pair : pairs_)
       spread += (pair.source - line.middle) * (pair.source - line.middle).transpose();
@@ -213,9 +218,7 @@ class Diagnosis {
 
   void findScale(const Similarity2& robust) {
     if (input_.scale.rule != ScaleRule::kToScale || std::abs(robust.scale - 1.0) < kScaleTolerance) return;
-    Vector2d mean = Vector2d::Zero();
-    for (const PointPair& pair : pairs_) mean += pair.source;
-    mean /= static_cast<double>(pairs_.size());
+    const Vector2d mean = middleOfAnchors();
     std::vector<double> residuals;
     double spread = 0.0;
     for (const PointPair& pair : pairs_) {

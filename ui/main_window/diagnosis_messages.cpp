@@ -156,7 +156,9 @@ Cure DiagnosisMessages::showCure(const Finding& finding) {
 }
 
 Cure DiagnosisMessages::placeCure(const Finding& finding) {
-  return {tr("Show a good place"), showCure({finding.kind, {}, 0.0, 0.0, finding.place}).run};
+  return {tr("Show a good place"), [this, place = finding.place] {
+            if (place) views_.centerOnPlace(Side::kBlueprint, toQPointF(*place));
+          }};
 }
 
 Cure DiagnosisMessages::rescaleCure(double factor) {

@@ -3,6 +3,7 @@
 #include "ui/main_window/mesh_overlay.h"
 
 #include "ui/convert.h"
+#include "ui/views/mesh_layer.h"
 
 #include <utility>
 
@@ -23,6 +24,7 @@ MeshOverlay edgesWithStrain(const SolveResult& result) {
     overlay.strain.push_back(static_cast<float>(length / rest_length - 1.0));
   }
   overlay.folds = result.folded_nodes;
+  overlay.full_color_strain = fullColorStrain(overlay);  // here once; views, legends and workers ask for it again
   return overlay;
 }
 

@@ -23,6 +23,10 @@ const std::array<QColor, 6> kMapInks{QColor(0xe0, 0x00, 0x84), QColor(0x00, 0x9a
 
 }  // namespace
 
+PreviewRaster previewRaster(const RasterStore& rasters, Side side) {
+  return {rasters.picture(side)->store(), rasters.frame(side)};
+}
+
 PreviewWiring::PreviewWiring(Session& session, PreviewPanel& panel, QObject* parent)
     : QObject(parent), session_(session), panel_(panel) {
   PreviewView& view = panel_.view();
@@ -81,13 +85,17 @@ QString PreviewWiring::reason() const {
   }
 }
 
+bool PreviewWiring::isRough() const {
+  const SolveResultPtr& result = session_.alignment().result();
+  return result && result->solution.anchors_used == 1;
+}
+
 QString PreviewWiring::notCurrent() const {
   const AlignmentStatus status = session_.alignment().status();
   if (!session_.alignment().result()) return {};
   if (status == AlignmentStatus::kFailed) return tr("Not current: the last solve failed, this is the result before it");
   if (status == AlignmentStatus::kCancelled) return tr("Not current: the last solve was stopped");
-  if (session_.alignment().result()->solution.anchors_used == 1)
-    return tr("Rough: one anchor says nothing of the turn");
+  if (isRough()) return tr("Rough: one anchor says nothing of the turn");
   return {};
 }
 
@@ -145,10 +153,7 @@ void PreviewWiring::addAllMaps(PreviewScene& scene, std::vector<InkEntry>& inks)
     if (result == session_.alignment().results().end()) continue;
     if (map.name == session_.document().currentMapName()) {
       if (session_.isReady())
-        scene.layers.push_back(
-            {{session_.rasters().picture(Side::kSlam)->store(), session_.rasters().frame(Side::kSlam)},
-             result->second->projector,
-             ink});
+        scene.layers.push_back({previewRaster(session_.rasters(), Side::kSlam), result->second->projector, ink});
     } else if (const OtherMap& other = otherMap(map.raster.metadata); other.frame) {
       scene.layers.push_back({{other.picture->store(), other.frame}, result->second->projector, ink});
     }
@@ -165,7 +170,7 @@ void PreviewWiring::refresh() {
   showBase();
   view.setReason(reason());
   view.setNotCurrent(notCurrent());
-  view.setRough(session_.alignment().result() && session_.alignment().result()->solution.anchors_used == 1);
+  view.setRough(isRough());
   const Side below = baseSide();
   const Side above = otherSide(below);
   for (const Side side : {below, above}) follow(session_.rasters().picture(side));
@@ -183,9 +188,7 @@ void PreviewWiring::refresh() {
   } else {
     inks.push_back({inkOf(above), nameOf(above)});
     if (result && session_.isReady())
-      scene->layers.push_back({{session_.rasters().picture(above)->store(), session_.rasters().frame(above)},
-                               result->projector,
-                               inkOf(above)});
+      scene->layers.push_back({previewRaster(session_.rasters(), above), result->projector, inkOf(above)});
   }
   view.setInks(std::move(inks));
   if (scene->layers.empty() || !session_.rasters().frame(below)) {
@@ -198,7 +201,7 @@ void PreviewWiring::refresh() {
     for (const Anchor& anchor : result->anchors)
       if (anchor.enabled) scene->anchors.push_back(anchor.in_blueprint);
   }
-  scene->base = {session_.rasters().picture(below)->store(), session_.rasters().frame(below)};
+  scene->base = previewRaster(session_.rasters(), below);
   service_.setScene(std::move(scene));
   refreshOverlays();
   askForPicture();

@@ -19,6 +19,9 @@ namespace cad2slam {
 inline const QColor kBlueprintInk(0xe0, 0x00, 0x84);
 inline const QColor kSlamInk(0x00, 0x9a, 0x44);
 
+/// What a worker draws one of the two maps from, once its picture is there.
+[[nodiscard]] PreviewRaster previewRaster(const RasterStore& rasters, Side side);
+
 /// Keeps the preview showing the last good result of the session. Does nothing while the preview is hidden.
 class PreviewWiring : public QObject {
   Q_OBJECT
@@ -50,6 +53,7 @@ class PreviewWiring : public QObject {
   [[nodiscard]] QString nameInLegend(const std::string& map) const;
   [[nodiscard]] bool hasOtherResults() const;
   [[nodiscard]] QString reason() const;
+  [[nodiscard]] bool isRough() const;  // one anchor only
   [[nodiscard]] QString notCurrent() const;
   void follow(const std::shared_ptr<TilePyramid>& picture);
   void onTilesChanged();

@@ -12,11 +12,11 @@ class MainWindow;
 void connectProgramActions(MainWindow& window);
 /// Opens the bundled sample and shows the first step. Without the sample only the hints remain.
 void startTour(MainWindow& window);
-/// Writes the report with what the views and the preview show now; problems end in the message bar.
+/// Writes the report with pictures of both maps as a whole; problems end in the message bar.
 bool saveReport(MainWindow& window, const QString& path);
-/// Asks for a file of poses and the map they are of, and shows them.
 /// Puts the test pose to typed numbers, in the frame of the active view.
 void askTestPose(MainWindow& window);
+/// Asks for a file of poses and the map they are of, and shows them.
 void askPoses(MainWindow& window);
 void pastePoses(MainWindow& window);
 

@@ -72,13 +72,12 @@ QImage picturesOverEachOther(Session& session) {
   constexpr int kLongSide_px = 1500;
   const SolveResultPtr& result = session.alignment().result();
   if (!result || !session.isReady()) return {};
-  RasterStore& rasters = session.rasters();
+  const RasterStore& rasters = session.rasters();
   const MapFrame& frame = *rasters.frame(Side::kBlueprint);
   auto scene = std::make_shared<PreviewScene>();
-  scene->base = {rasters.picture(Side::kBlueprint)->store(), frame};
+  scene->base = previewRaster(rasters, Side::kBlueprint);
   scene->base_ink = kBlueprintInk;
-  scene->layers.push_back(
-      {{rasters.picture(Side::kSlam)->store(), rasters.frame(Side::kSlam)}, result->projector, kSlamInk});
+  scene->layers.push_back({previewRaster(rasters, Side::kSlam), result->projector, kSlamInk});
 
   PreviewRequest request;
   request.scene = std::move(scene);

@@ -80,15 +80,23 @@ void TestPoses::setRobot(const Pose2& in_blueprint) {
 }
 
 std::optional<Pose2> TestPoses::robotIn(Side side) const {
-  bool certain = false;
-  return side == Side::kBlueprint ? poses_[0] : carried(poses_[0], Side::kBlueprint, certain);
+  return inFrame(side, poses_[0]);
 }
 
 bool TestPoses::setRobotIn(Side side, const Pose2& pose) {
-  bool certain = false;
-  const std::optional<Pose2> in_blueprint = side == Side::kBlueprint ? pose : carried(pose, side, certain);
+  const std::optional<Pose2> in_blueprint = inBlueprint(side, pose);
   if (in_blueprint) setRobot(*in_blueprint);
   return in_blueprint.has_value();
+}
+
+std::optional<Pose2> TestPoses::inFrame(Side side, const Pose2& in_blueprint) const {
+  bool certain = false;
+  return side == Side::kBlueprint ? in_blueprint : carried(in_blueprint, Side::kBlueprint, certain);
+}
+
+std::optional<Pose2> TestPoses::inBlueprint(Side side, const Pose2& pose) const {
+  bool certain = false;
+  return side == Side::kBlueprint ? pose : carried(pose, side, certain);
 }
 
 std::optional<Pose2> TestPoses::carried(const Pose2& pose, Side from, bool& certain) const {
@@ -103,16 +111,11 @@ std::optional<Pose2> TestPoses::carried(const Pose2& pose, Side from, bool& cert
 void TestPoses::drag(Side side, MarkerId id, const QPointF& point_m) {
   if (id != kRobot && id != kGoal) return;
   Pose2& pose = poses_[id == kRobot ? 0 : 1];
-  if (side == Side::kBlueprint) {
-    pose.translation = toEigen(point_m);
-  } else {
-    bool certain = false;
-    const std::optional<Pose2> in_slam = carried(pose, Side::kBlueprint, certain);
-    const std::optional<Pose2> back =
-        carried({toEigen(point_m), in_slam ? in_slam->heading : 0.0}, Side::kSlam, certain);
-    if (!back) return;
-    pose = *back;
-  }
+  Pose2 there = inFrame(side, pose).value_or(Pose2{});
+  there.translation = toEigen(point_m);
+  const std::optional<Pose2> dragged = inBlueprint(side, there);
+  if (!dragged) return;
+  pose = *dragged;
   plan();
   emit changed();
 }
@@ -120,16 +123,12 @@ void TestPoses::drag(Side side, MarkerId id, const QPointF& point_m) {
 void TestPoses::turn(Side side, MarkerId id, double heading_rad) {
   if (id != kRobot && id != kGoal) return;
   Pose2& pose = poses_[id == kRobot ? 0 : 1];
-  if (side == Side::kBlueprint) {
-    pose.heading = heading_rad;
-  } else {
-    bool certain = false;
-    const std::optional<Pose2> in_slam = carried(pose, Side::kBlueprint, certain);
-    if (!in_slam) return;
-    const std::optional<Pose2> back = carried({in_slam->translation, heading_rad}, Side::kSlam, certain);
-    if (!back) return;
-    pose.heading = back->heading;
-  }
+  std::optional<Pose2> there = inFrame(side, pose);
+  if (!there) return;
+  there->heading = heading_rad;
+  const std::optional<Pose2> turned = inBlueprint(side, *there);
+  if (!turned) return;
+  pose.heading = turned->heading;
   emit changed();
 }
 

@@ -72,6 +72,8 @@ class TestPoses : public QObject {
  private:
   struct PlanRequest;
 
+  [[nodiscard]] std::optional<Pose2> inFrame(Side side, const Pose2& in_blueprint) const;
+  [[nodiscard]] std::optional<Pose2> inBlueprint(Side side, const Pose2& pose) const;  // of a pose in the frame of side
   [[nodiscard]] std::optional<Pose2> carried(const Pose2& pose, Side from, bool& certain) const;
   void plan();
 
