@@ -23,12 +23,11 @@ Vector2d bent(const Vector2d& p) {
 std::vector<PointPair> pairs(std::size_t count, double noise_m, unsigned seed) {
   std::mt19937 random(seed);
   std::uniform_real_distribution<double> place(-20.0, 20.0);
-  std::normal_distribution<double> noise(0.0, noise_m);
+  std::normal_distribution<double> noise(0.0, 1.0);
   std::vector<PointPair> made;
   for (std::size_t i = 0; i < count; ++i) {
     const Vector2d source(place(random), 0.6 * place(random));
-    made.push_back(
-        {source, bent(source) + (noise_m > 0.0 ? Vector2d(noise(random), noise(random)) : Vector2d::Zero())});
+    made.push_back({source, bent(source) + noise_m * Vector2d(noise(random), noise(random))});
   }
   return made;
 }
