@@ -117,9 +117,9 @@ Result<void> convertAnchors(const ConvertOptions& options) {
 }
 
 Result<MapFrame> frameOf(const std::string& yaml) {
-  const Result<MapMetadata> metadata = readMapMetadata(yaml);
-  if (!metadata) return failAs(metadata);
-  return readMapFrame(*metadata);
+  const Result<MapYaml> read = readMapYaml(yaml);
+  if (!read) return failAs(read);
+  return readMapFrame(read->metadata);
 }
 
 Result<RmfLevel> readLevel(const ConvertOptions& options) {

@@ -38,9 +38,9 @@ struct MaskOptions {
 Result<MapFrame> maskFrame(const MaskOptions& options, const FrameInfo& slam) {
   std::optional<MapFrame> map;
   if (!options.map.empty()) {
-    const Result<MapMetadata> metadata = readMapMetadata(options.map);
-    if (!metadata) return failAs(metadata);
-    const Result<MapFrame> frame = readMapFrame(*metadata);
+    const Result<MapYaml> yaml = readMapYaml(options.map);
+    if (!yaml) return failAs(yaml);
+    const Result<MapFrame> frame = readMapFrame(yaml->metadata);
     if (!frame) return failAs(frame);
     map = *frame;
   } else {

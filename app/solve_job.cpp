@@ -49,16 +49,19 @@ std::string mapName(const MapMetadata& metadata) {
 Result<SolveInputs> inputsFromFiles(const std::filesystem::path& blueprint, const std::filesystem::path& slam,
                                     const std::filesystem::path& anchors) {
   SolveInputs inputs;
-  Result<MapMetadata> blueprint_yaml = readMapMetadata(blueprint);
+  Result<MapYaml> blueprint_yaml = readMapYaml(blueprint);
   if (!blueprint_yaml) return failAs(blueprint_yaml);
-  Result<MapMetadata> slam_yaml = readMapMetadata(slam);
+  Result<MapYaml> slam_yaml = readMapYaml(slam);
   if (!slam_yaml) return failAs(slam_yaml);
   Result<AnchorImport> read = readAnchors(anchors);
   if (!read) return failAs(read);
-  inputs.blueprint = std::move(*blueprint_yaml);
-  inputs.slam = std::move(*slam_yaml);
+  inputs.blueprint = std::move(blueprint_yaml->metadata);
+  inputs.slam = std::move(slam_yaml->metadata);
   inputs.slam_name = mapName(inputs.slam);
   inputs.anchors = std::move(read->anchors);
+  for (const std::string& warning : blueprint_yaml->warnings)
+    inputs.warnings.push_back(blueprint.string() + ": " + warning);
+  for (const std::string& warning : slam_yaml->warnings) inputs.warnings.push_back(slam.string() + ": " + warning);
   for (const RejectedLine& line : read->rejected) {
     inputs.warnings.push_back(anchors.string() + ":" + std::to_string(line.line) + ": line skipped: " + line.reason +
                               ".");

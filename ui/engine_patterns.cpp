@@ -152,6 +152,7 @@ constexpr const char* kPatterns[] = {
     QT_TRANSLATE_NOOP("Engine", "is no image: its TIFF directory does not say width and height"),
     QT_TRANSLATE_NOOP("Engine", "is a damaged image"),
     QT_TRANSLATE_NOOP("Engine", "is a damaged image: its size is not the one its header says"),
+    QT_TRANSLATE_NOOP("Engine", "is a damaged image: %1"),
     QT_TRANSLATE_NOOP("Engine", "is too large an image for the memory of this machine"),
     QT_TRANSLATE_NOOP("Engine", "is an image of an unusual kind: 8 or 16 bit grey or colour can be read"),
     QT_TRANSLATE_NOOP("Engine", "is an image of an unusual kind: grey, colour, or colour with alpha can be read"),
@@ -161,7 +162,6 @@ constexpr const char* kPatterns[] = {
     QT_TRANSLATE_NOOP("Engine", "a .png holds grey or colour of 8 or 16 bits only"),
     QT_TRANSLATE_NOOP("Engine", "the image cannot be encoded"),
     QT_TRANSLATE_NOOP("Engine", "the image of a map must be a file name without folders"),
-    QT_TRANSLATE_NOOP("Engine", "the PNG image is damaged: %1"),
     QT_TRANSLATE_NOOP("Engine", "there is no room for the temporary tiles of this image"),
     QT_TRANSLATE_NOOP("Engine",
                       "Grey 205, which map_saver writes for unknown, counts as free with free_thresh %1; 0.196 would "

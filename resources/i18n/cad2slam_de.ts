@@ -456,8 +456,8 @@
         <translation>das Bild einer Karte muss ein Dateiname ohne Ordner sein</translation>
     </message>
     <message>
-        <source>the PNG image is damaged: %1</source>
-        <translation>das PNG-Bild ist beschädigt: %1</translation>
+        <source>is a damaged image: %1</source>
+        <translation>ist ein beschädigtes Bild: %1</translation>
     </message>
     <message>
         <source>there is no room for the temporary tiles of this image</source>

@@ -456,8 +456,8 @@
         <translation>la imagen de un mapa debe ser un nombre de archivo sin carpetas</translation>
     </message>
     <message>
-        <source>the PNG image is damaged: %1</source>
-        <translation>la imagen PNG está dañada: %1</translation>
+        <source>is a damaged image: %1</source>
+        <translation>es una imagen dañada: %1</translation>
     </message>
     <message>
         <source>there is no room for the temporary tiles of this image</source>

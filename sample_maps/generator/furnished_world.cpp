@@ -17,7 +17,7 @@ constexpr double kRobotRadius = 0.24;
 class Furnisher {
  public:
   Furnisher(const SitePlan& plan, SeededRandom& random) : plan_(plan), random_(random), frame_(makeFrame(plan)) {
-    states_ = drawPlan(plan, frame_, {}).states().clone();
+    states_ = drawPlan(plan, frame_, {}).states();
   }
 
   FurnishedWorld run() {

@@ -25,7 +25,7 @@ class Drawing {
   }
 
   cv::Mat run(const std::string& title) {
-    const cv::Mat& states = building_.blueprint.states();
+    const cv::Mat states = building_.blueprint.states();
     const cv::Mat is_free = states == static_cast<int>(CellState::kFree);
     const cv::Mat is_wall = states == static_cast<int>(CellState::kOccupied);
     cv::Mat inside(states.size(), CV_8UC1, cv::Scalar(kWhite));

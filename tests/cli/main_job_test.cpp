@@ -28,6 +28,7 @@ class MainJobTest : public QObject {
   void choicesAreWords();
   void inputsAreNotOverwritten();
   void solveReports();
+  void solveTellsWhatTheMapsSay();
   void jsonHasAllKeys();
   void optionsReachTheProjector();
   void solveTakesAProject();
@@ -132,6 +133,21 @@ void MainJobTest::solveReports() {
   QVERIFY(QFile::exists(office_.file("again.c2s")));
 }
 
+void MainJobTest::solveTellsWhatTheMapsSay() {
+  QFile usual(office_.file("slam_1.yaml"));
+  QVERIFY(usual.open(QIODevice::ReadOnly));
+  QByteArray text = usual.readAll();
+  const qsizetype yaw = text.lastIndexOf(',', text.indexOf(']'));
+  text.replace(yaw, text.indexOf(']') - yaw, ", .nan");
+  QFile odd(office_.file("odd.yaml"));
+  QVERIFY(odd.open(QIODevice::WriteOnly) && odd.write(text) == text.size());
+  odd.close();
+  QStringList arguments = OfficeFolder::solveArguments({"-o", "odd.c2s"});
+  arguments.replaceInStrings("slam_1.yaml", "odd.yaml");
+  const CliRun run = office_.run(arguments);
+  QVERIFY2(run.err.contains("odd.yaml: The yaw of origin is not a number and was read as 0."), qPrintable(run.err));
+}
+
 void MainJobTest::jsonHasAllKeys() {
   const CliRun run = office_.run(OfficeFolder::solveArguments({"-o", "json.c2s", "--json"}));
   QCOMPARE(run.exit_code, 0);
@@ -187,9 +203,9 @@ void MainJobTest::solveTakesAProject() {
   Project project;
   project.name = "office";
   const std::filesystem::path folder = office_.path().toStdString();
-  project.blueprint = *describeRaster(*readMapMetadata(folder / "blueprint.yaml"));
+  project.blueprint = *describeRaster(readMapYaml(folder / "blueprint.yaml")->metadata);
   const AnchorList anchors = readAnchors(folder / "anchors_1.csv")->anchors;
-  const ProjectRaster slam = *describeRaster(*readMapMetadata(folder / "slam_1.yaml"));
+  const ProjectRaster slam = *describeRaster(readMapYaml(folder / "slam_1.yaml")->metadata);
   project.slam_maps = {{"forklift", slam, anchors, {}}, {"cleaner", slam, {anchors.begin(), anchors.begin() + 9}, {}}};
   project.cell_size_m = 2.0;
   QVERIFY(writeProject(folder / "office.c2sproj", project).has_value());

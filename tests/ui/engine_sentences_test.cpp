@@ -152,7 +152,7 @@ class EngineSentencesTest : public QObject {
     QCOMPARE(translationOf(readProject(project)), toQString(project) + QStringLiteral(": [there is no such file]"));
 
     const std::filesystem::path yaml = folder.write("map.yaml", "image: map.pgm\nresolution: twice\n");
-    QCOMPARE(translationOf(readMapMetadata(yaml)),
+    QCOMPARE(translationOf(readMapYaml(yaml)),
              toQString(yaml) + QStringLiteral(":2: [resolution must be a number from 1e-06 to 10000, not 'twice']"));
 
     const auto hall = OccupancyGrid(*MapFrame::create(0.1, 20, 20, Pose2{}), cv::Mat(20, 20, CV_8UC1, cv::Scalar(0)));

@@ -16,6 +16,20 @@ constexpr double kSmallestRoom = 3.0;       // [m^2] after shrinking by half a d
 constexpr double kAnchorReach = 1.5;        // [m] anchors sit on corners, so a little outside the shrunk room
 constexpr int kLargestSide = 8000;          // [px] of the working picture
 
+/// 255 where all of `factor` x `factor` pixels are free, 0 where none is.
+cv::Mat freeShare(const OccupancyGrid& blueprint, int factor) {
+  const int width = (blueprint.frame().width() + factor - 1) / factor;
+  cv::Mat share;
+  for (int top = 0; top < blueprint.frame().height(); top += factor) {
+    const int rows = std::min(factor, blueprint.frame().height() - top);
+    const cv::Mat states = blueprint.states({0, top, blueprint.frame().width(), rows});
+    cv::Mat line = states == static_cast<int>(CellState::kFree);
+    cv::resize(line, line, {width, 1}, 0.0, 0.0, cv::INTER_AREA);
+    share.push_back(line);
+  }
+  return share;
+}
+
 }  // namespace
 
 RoomMap RoomMap::find(const OccupancyGrid& blueprint) {
@@ -24,8 +38,7 @@ RoomMap RoomMap::find(const OccupancyGrid& blueprint) {
                                   static_cast<double>(std::max(full.width(), full.height())) / kLargestSide});
   const int width = std::max(1, static_cast<int>(full.width() / factor));
   const int height = std::max(1, static_cast<int>(full.height() / factor));
-  cv::Mat is_free;
-  cv::compare(blueprint.states(), static_cast<int>(CellState::kFree), is_free, cv::CMP_EQ);
+  cv::Mat is_free = freeShare(blueprint, static_cast<int>(factor));
   // Area means keep thin walls visible as a dip, and the threshold keeps them closed.
   cv::resize(is_free, is_free, {width, height}, 0.0, 0.0, cv::INTER_AREA);
   cv::threshold(is_free, is_free, 200, 255, cv::THRESH_BINARY);

@@ -112,13 +112,15 @@ bool ProjectFiles::saveProjectTo(const QString& path) {
 bool ProjectFiles::setImage(Side side, const QString& path, std::optional<double> resolution_m_per_px) {
   const QString id = QStringLiteral("choose-image");
   MapMetadata metadata;
+  std::vector<std::string> warnings;
   if (isYaml(path)) {
-    Result<MapMetadata> read = readMapMetadata(toPath(QFileInfo(path).absoluteFilePath()));
+    Result<MapYaml> read = readMapYaml(toPath(QFileInfo(path).absoluteFilePath()));
     if (!read) {
       showError(id, read.error());
       return false;
     }
-    metadata = *std::move(read);
+    metadata = std::move(read->metadata);
+    warnings = std::move(read->warnings);
   } else {
     metadata.image = toPath(QFileInfo(path).absoluteFilePath());
   }
@@ -145,6 +147,10 @@ bool ProjectFiles::setImage(Side side, const QString& path, std::optional<double
     QString name = file.completeBaseName();
     if (name == QStringLiteral("slam") || name == QStringLiteral("map")) name = file.absoluteDir().dirName();
     edit::addSlamMap(session_.document(), toStd(name), raster);
+  }
+  for (const std::string& warning : warnings) {
+    const QString sentence = QStringLiteral("%1: %2").arg(QFileInfo(path).fileName(), translatedSentence(warning));
+    messages_.show({QStringLiteral("yaml-note-%1").arg(qHash(sentence)), Severity::kWarning, sentence, {}, 0});
   }
   return true;
 }
@@ -288,12 +294,12 @@ bool ProjectFiles::relocate(const RasterProblem& problem, const QString& path) {
   ProjectRaster raster = *before;
   const std::filesystem::path file = toPath(QFileInfo(path).absoluteFilePath());
   if (isYaml(path)) {
-    Result<MapMetadata> read = readMapMetadata(file);
+    const Result<MapYaml> read = readMapYaml(file);
     if (!read) {
       showError(QStringLiteral("relocate"), read.error());
       return false;
     }
-    raster.metadata.image = read->image;
+    raster.metadata.image = read->metadata.image;
   } else {
     raster.metadata.image = file;
   }

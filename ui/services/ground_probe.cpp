@@ -48,9 +48,9 @@ Ground GroundProbe::at(const Eigen::Vector2d& point_m) {
   bool complete = false;
   const cv::Mat picture = store_->region(0, around, 0, &complete);
   if (!complete || picture.empty()) return Ground::kKnown;
-  const Result<PixelStates> read = classifyPixels(picture, rules_);
-  if (!read) return Ground::kKnown;
-  const auto& states = read->states;
+  const Result<std::unique_ptr<PixelClassifier>> classifier = PixelClassifier::create(picture.type(), rules_);
+  if (!classifier) return Ground::kKnown;
+  const cv::Mat states = (*classifier)->classify(picture);
   const bool nothing = std::all_of(states.begin<uchar>(), states.end<uchar>(),
                                    [](uchar state) { return static_cast<CellState>(state) == CellState::kUnknown; });
   if (known_.size() >= kMostKept) known_.clear();

@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "cad2slam/io/map_file.h"
-#include "cad2slam/io/pixel_states.h"
+#include "cad2slam/io/pixel_classifier.h"
 #include "cad2slam/map/map_frame.h"
 #include "ui/document/diagnosis.h"
 #include "ui/services/tile_store.h"

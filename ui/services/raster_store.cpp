@@ -71,7 +71,7 @@ void RasterStore::reframe(Side side, const MapMetadata& metadata) {
   if (!frame) return;
   slot.wanted = metadata;
   slot.frame = *frame;
-  if (slot.grid) slot.grid = std::make_shared<const OccupancyGrid>(*frame, slot.grid->states());
+  if (slot.grid) slot.grid = std::make_shared<const OccupancyGrid>(slot.grid->withFrame(*frame));
   emit changed(side, false);
 }
 

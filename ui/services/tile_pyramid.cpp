@@ -11,10 +11,11 @@
 
 #include <opencv2/imgproc.hpp>
 
+#include "cad2slam/io/picture_rows.h"
 #include "ui/convert.h"
 #include "ui/engine_sentences.h"
 #include "ui/services/pyramid_builder.h"
-#include "ui/services/strip_reader.h"
+#include "ui/services/screen_pixels.h"
 #include "ui/views/background_thread.h"
 
 namespace cad2slam {
@@ -109,20 +110,20 @@ TilePyramid::Cut TilePyramid::cut(const std::filesystem::path& image, bool mirro
     announceFailure(toSentence(error));
     return Cut::kFailed;
   };
-  Result<std::unique_ptr<StripReader>> reader = StripReader::open(image);
-  if (!reader) return failWith(reader.error());
-  const QSize size((*reader)->size().width, (*reader)->size().height);
+  Result<std::unique_ptr<PictureRows>> picture = PictureRows::open(image);
+  if (!picture) return failWith(picture.error());
+  const QSize size((*picture)->width(), (*picture)->height());
   auto store = std::make_shared<TileStore>(size, PyramidBuilder::levelCount(size), channels);
-  if ((*reader)->hasAlpha()) store->noteTransparency();
+  if ((*picture)->hasAlpha()) store->noteTransparency();
   PyramidBuilder builder(store);
   bool announced = false;
   for (int rows_done = 0; !stop_;) {
     readersAtOnce().acquire();
     const QSemaphoreReleaser turn(readersAtOnce());
-    Result<cv::Mat> strip = (*reader)->read(kRowsAtOnce);
-    if (!strip) return failWith(strip.error());
-    if (strip->empty()) break;
-    cv::Mat rows = std::move(*strip);
+    const Result<cv::Mat> read = (*picture)->read(kRowsAtOnce);
+    if (!read) return failWith(read.error());
+    if (read->empty()) break;
+    cv::Mat rows = screenPixels(*read, (*picture)->fullBrightness());
     if (rows.channels() == 4 && channels == 1) {
       if (hasColor(rows)) return Cut::kNeedsColor;
       cv::Mat grey;

@@ -70,25 +70,26 @@ class Canvas {
   }
 
   [[nodiscard]] cv::Point pixel(const Eigen::Vector2d& point_m) const {
-    const Eigen::Vector2d at = map_.frame().pixelFromMetric(point_m);
+    const Eigen::Vector2d at = frame_.pixelFromMetric(point_m);
     return {static_cast<int>(std::clamp(std::floor(at.x()), -1e6, 1e6)),
             static_cast<int>(std::clamp(std::floor(at.y()), -1e6, 1e6))};
   }
-  [[nodiscard]] double resolution() const { return map_.frame().resolution(); }
+  [[nodiscard]] double resolution() const { return frame_.resolution(); }
   [[nodiscard]] cv::Mat& picture() { return picture_; }
   void drawWalls() {
-    picture_(cv::Rect(0, 0, map_.states().cols, map_.states().rows))
-        .setTo(cv::Scalar::all(60), map_.states() == static_cast<int>(CellState::kOccupied));
+    picture_(cv::Rect({0, 0}, states_.size()))
+        .setTo(cv::Scalar::all(60), states_ == static_cast<int>(CellState::kOccupied));
   }
 
  private:
-  explicit Canvas(OccupancyGrid map) : map_(std::move(map)) {
-    picture_ = cv::Mat(map_.states().rows + kLegendHeight, map_.states().cols, CV_8UC3, cv::Scalar::all(255));
-    picture_(cv::Rect(0, 0, map_.states().cols, map_.states().rows))
-        .setTo(cv::Scalar::all(225), map_.states() == static_cast<int>(CellState::kUnknown));
+  explicit Canvas(const OccupancyGrid& map) : frame_(map.frame()), states_(map.states()) {
+    picture_ = cv::Mat(states_.rows + kLegendHeight, states_.cols, CV_8UC3, cv::Scalar::all(255));
+    picture_(cv::Rect({0, 0}, states_.size()))
+        .setTo(cv::Scalar::all(225), states_ == static_cast<int>(CellState::kUnknown));
   }
 
-  OccupancyGrid map_;
+  MapFrame frame_;
+  cv::Mat states_;
   cv::Mat picture_;
 };
 

@@ -97,7 +97,8 @@ Result<ImageHeader> readPnm(const ImageFile& file, char kind) {
   if (!width || !height || !maximum || *maximum < 1 || *maximum > 65535) {
     return file.malformed("is no image: its PNM header does not say width, height and largest value");
   }
-  ImageHeader header{*width, *height, 0};
+  ImageHeader header{*width, *height};
+  header.pnm_kind = kind;
   if (const Result<void> sane = checkSize(file, header); !sane) return failAs(sane);
   const bool is_text = kind <= '3';
   const bool is_wide = *maximum > 255;
@@ -108,7 +109,9 @@ Result<ImageHeader> readPnm(const ImageFile& file, char kind) {
     if (const Result<void> holds = checkHolds(file, at + row_bytes * *height); !holds) return failAs(holds);
   } else {
     const std::uint64_t row_bytes = is_bitmap ? (samples + 7) / 8 : samples * (is_wide ? 2 : 1);
-    if (const Result<void> holds = checkHolds(file, at + 1 + row_bytes * *height); !holds) return failAs(holds);
+    header.pixels_at = at + 1;  // one blank ends the header
+    if (const Result<void> holds = checkHolds(file, header.pixels_at + row_bytes * *height); !holds)
+      return failAs(holds);
   }
   // The decoder stretches 8-bit text to 255 and leaves everything else as it stands in the file.
   const bool is_stretched = is_bitmap || (is_text && !is_wide);
@@ -123,7 +126,7 @@ Result<ImageHeader> readPngSize(const ImageFile& file) {
   const auto height = file.number(20, 4, ByteOrder::kBig);
   const auto depth = file.number(24, 1, ByteOrder::kBig);
   if (!width || !height || !depth) return file.cutOff();
-  const ImageHeader header{*width, *height, 0};
+  const ImageHeader header{*width, *height};
   if (const Result<void> sane = checkSize(file, header); !sane) return failAs(sane);
   // Deflate packs 1032 bytes into one at best.
   const std::uint64_t raw_bytes = *width * *height * std::max<std::uint64_t>(*depth, 1) / 8;
@@ -189,7 +192,7 @@ Result<ImageHeader> readJpeg(const ImageFile& file) {
       const auto height = file.number(offset + 5, 2, ByteOrder::kBig);
       const auto width = file.number(offset + 7, 2, ByteOrder::kBig);
       if (!height || !width) return file.cutOff();
-      header = ImageHeader{*width, *height, 0};
+      header = ImageHeader{*width, *height};
       if (const Result<void> sane = checkSize(file, *header); !sane) return failAs(sane);
     }
     offset += 2 + *length;
@@ -219,7 +222,7 @@ Result<ImageHeader> readBmp(const ImageFile& file) {
   if (!width || !height || !bits || !compression) return file.cutOff();
   // A negative height says that the first row is the top one.
   const std::uint64_t rows = !is_os2 && *height > 0x7fffffffU ? 0x100000000ULL - *height : *height;
-  const ImageHeader header{*width, rows, 0};
+  const ImageHeader header{*width, rows};
   if (const Result<void> sane = checkSize(file, header); !sane) return failAs(sane);
   const bool is_raw = *compression == 0 || *compression == 3;
   const std::uint64_t row_bytes = (*width * *bits + 31) / 32 * 4;
@@ -253,7 +256,7 @@ Result<ImageHeader> readTiff(const ImageFile& file, ByteOrder order, bool is_big
     if (!value) return file.malformed("is no image: its TIFF directory does not say width and height");
     (*tag == 256 ? width : *tag == 257 ? height : compression) = *value;
   }
-  const ImageHeader header{width, height, 0};
+  const ImageHeader header{width, height};
   if (const Result<void> sane = checkSize(file, header); !sane) return failAs(sane);
   if (compression == 1) {  // one bit a pixel is the least
     if (const Result<void> holds = checkHolds(file, (width + 7) / 8 * height); !holds) return failAs(holds);

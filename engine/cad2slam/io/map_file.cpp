@@ -5,7 +5,8 @@
 #include "cad2slam/io/atomic_file.h"
 #include "cad2slam/io/image_header.h"
 #include "cad2slam/io/map_yaml.h"
-#include "cad2slam/io/pixel_states.h"
+#include "cad2slam/io/picture_rows.h"
+#include "cad2slam/io/pixel_classifier.h"
 #include "cad2slam/io/text.h"
 
 #include <opencv2/core.hpp>
@@ -19,37 +20,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct DecodedImage {
-  cv::Mat picture;
-  ImageHeader header;
-};
+constexpr int kRowsAtOnce = 256;
 
-/// Decodes a file whose header has been found sane. OpenCV reports some failures as an exception, some as no image.
-Result<DecodedImage> decodeImage(const fs::path& image) {
-  const Result<ImageHeader> header = readImageHeader(image, ImageCheck::kWhole);
-  if (!header) return failAs(header);
-  DecodedImage decoded;
-  decoded.header = *header;
-  try {
-    decoded.picture = cv::imread(image.string(), cv::IMREAD_UNCHANGED);  // which also ignores EXIF orientation
-  } catch (const cv::Exception& error) {
-    if (error.code == cv::Error::StsNoMem) {
-      return fail(ErrorCode::kInternal, "is too large an image for the memory of this machine", image.string());
-    }
-  } catch (const std::bad_alloc&) {
-    return fail(ErrorCode::kInternal, "is too large an image for the memory of this machine", image.string());
-  }
-  if (decoded.picture.empty()) return fail(ErrorCode::kMalformed, "is a damaged image", image.string());
-  if (static_cast<std::uint64_t>(decoded.picture.cols) != header->width_px ||
-      static_cast<std::uint64_t>(decoded.picture.rows) != header->height_px) {
-    return fail(ErrorCode::kMalformed, "is a damaged image: its size is not the one its header says", image.string());
-  }
-  return decoded;
-}
-
-Result<MapFrame> frameOf(const MapMetadata& metadata, const ImageHeader& header) {
-  const Result<MapFrame> frame = MapFrame::create(metadata.resolution_m_per_px, static_cast<int>(header.width_px),
-                                                  static_cast<int>(header.height_px), metadata.metric_from_corner);
+Result<MapFrame> frameOf(const MapMetadata& metadata, int width_px, int height_px) {
+  const Result<MapFrame> frame =
+      MapFrame::create(metadata.resolution_m_per_px, width_px, height_px, metadata.metric_from_corner);
   if (frame) return frame;
   return fail(frame.error().code, frame.error().message,
               metadata.yaml.empty() ? metadata.image.string() : metadata.yaml.string());
@@ -59,11 +34,26 @@ std::string semanticsName(MapSemantics semantics) {
   return semantics == MapSemantics::kJazzy ? "ROS 2 jazzy and later" : "ROS 1 and ROS 2 up to humble";
 }
 
+void addWarnings(const PixelNotes& notes, const MapMetadata& metadata, MapSemantics semantics,
+                 std::vector<std::string>& warnings) {
+  if (notes.grey_205_is_free && !metadata.negate && metadata.mode != MapMode::kRaw) {
+    warnings.push_back("Grey 205, which map_saver writes for unknown, counts as free with free_thresh " +
+                       formatNumber(metadata.free_threshold) + "; 0.196 would keep it unknown.");
+  }
+  if (notes.read_differently > 0) {
+    const MapSemantics other = semantics == MapSemantics::kJazzy ? MapSemantics::kHumble : MapSemantics::kJazzy;
+    warnings.push_back(std::to_string(notes.read_differently) + " pixels were read as " + semanticsName(semantics) +
+                       " read them; " + semanticsName(other) + " would read them differently.");
+  }
+}
+
 Result<LoadedMap> loadMapWithWarnings(const MapMetadata& metadata, std::vector<std::string> warnings,
                                       const MapReadOptions& options) {
-  Result<DecodedImage> decoded = decodeImage(metadata.image);
-  if (!decoded) return failAs(decoded);
-  const Result<MapFrame> frame = frameOf(metadata, decoded->header);
+  Result<std::unique_ptr<PictureRows>> picture = PictureRows::open(metadata.image);
+  if (!picture) return failAs(picture);
+  const int width = (*picture)->width();
+  const int height = (*picture)->height();
+  const Result<MapFrame> frame = frameOf(metadata, width, height);
   if (!frame) return failAs(frame);
 
   PixelRules rules;
@@ -72,23 +62,21 @@ Result<LoadedMap> loadMapWithWarnings(const MapMetadata& metadata, std::vector<s
   rules.occupied_threshold = metadata.occupied_threshold;
   rules.free_threshold = metadata.free_threshold;
   rules.negate = metadata.negate;
-  rules.full_brightness = decoded->header.full_brightness;
-  Result<PixelStates> pixels = classifyPixels(std::move(decoded->picture), rules);
-  if (!pixels) return fail(pixels.error().code, pixels.error().message, metadata.image.string());
+  rules.full_brightness = (*picture)->fullBrightness();
+  const Result<std::unique_ptr<PixelClassifier>> classifier = PixelClassifier::create((*picture)->type(), rules);
+  if (!classifier) return fail(classifier.error().code, classifier.error().message, metadata.image.string());
 
-  if (metadata.mirrored) cv::flip(pixels->states, pixels->states, 1);
-
-  if (pixels->grey_205_is_free && !metadata.negate && metadata.mode != MapMode::kRaw) {
-    warnings.push_back("Grey 205, which map_saver writes for unknown, counts as free with free_thresh " +
-                       formatNumber(metadata.free_threshold) + "; 0.196 would keep it unknown.");
+  OccupancyGridBuilder grid(*frame);
+  for (int row = 0; row < height;) {
+    const Result<cv::Mat> rows = (*picture)->read(kRowsAtOnce);
+    if (!rows) return failAs(rows);
+    cv::Mat piece = (*classifier)->classify(*rows);
+    if (metadata.mirrored) cv::flip(piece, piece, 1);
+    grid.append(piece);
+    row += piece.rows;
   }
-  if (pixels->read_differently > 0) {
-    const MapSemantics other = options.semantics == MapSemantics::kJazzy ? MapSemantics::kHumble : MapSemantics::kJazzy;
-    warnings.push_back(std::to_string(pixels->read_differently) + " pixels were read as " +
-                       semanticsName(options.semantics) + " read them; " + semanticsName(other) +
-                       " would read them differently.");
-  }
-  return LoadedMap{metadata, OccupancyGrid(*frame, std::move(pixels->states)), std::move(warnings)};
+  addWarnings((*classifier)->notes(), metadata, options.semantics, warnings);
+  return LoadedMap{metadata, grid.build(), std::move(warnings)};
 }
 
 }  // namespace
@@ -106,22 +94,18 @@ Result<LoadedMap> loadMap(const MapMetadata& metadata, const MapReadOptions& opt
 Result<MapFrame> readMapFrame(const MapMetadata& metadata) {
   const Result<ImageHeader> header = readImageHeader(metadata.image, ImageCheck::kSize);
   if (!header) return failAs(header);
-  return frameOf(metadata, *header);
+  return frameOf(metadata, static_cast<int>(header->width_px), static_cast<int>(header->height_px));
 }
 
 Result<cv::Mat> loadPicture(const fs::path& image) {
-  Result<DecodedImage> decoded = decodeImage(image);
-  if (!decoded) return failAs(decoded);
-  cv::Mat& picture = decoded->picture;
-  const int channels = picture.channels();
-  if ((picture.depth() != CV_8U && picture.depth() != CV_16U) || (channels != 1 && channels != 3 && channels != 4)) {
-    return fail(ErrorCode::kMalformed, "is an image of an unusual kind: 8 or 16 bit grey or colour can be read",
-                image.string());
-  }
-  const double white = picture.depth() == CV_8U ? 255.0 : 65535.0;
-  const double full_brightness = decoded->header.full_brightness;
-  if (full_brightness > 0.0 && full_brightness < white) picture.convertTo(picture, -1, white / full_brightness);
-  return std::move(picture);
+  Result<std::unique_ptr<PictureRows>> rows = PictureRows::open(image);
+  if (!rows) return failAs(rows);
+  Result<cv::Mat> picture = (*rows)->read((*rows)->height());
+  if (!picture) return failAs(picture);
+  const double white = picture->depth() == CV_8U ? 255.0 : 65535.0;
+  const double full_brightness = (*rows)->fullBrightness();
+  if (full_brightness > 0.0 && full_brightness < white) picture->convertTo(*picture, -1, white / full_brightness);
+  return picture;
 }
 
 Result<void> writePicture(const fs::path& image, const cv::Mat& picture) {

@@ -36,6 +36,12 @@ struct MapMetadata {
   bool mirrored = false;  ///< columns are read from right to left; only a project says so, a YAML cannot
 };
 
+/// A map YAML with what a user should hear of it, e.g. of a yaw that other programs ignore.
+struct MapYaml {
+  MapMetadata metadata;
+  std::vector<std::string> warnings;
+};
+
 struct MapReadOptions {
   MapSemantics semantics = MapSemantics::kJazzy;
 };
@@ -44,15 +50,14 @@ struct MapReadOptions {
 struct LoadedMap {
   MapMetadata metadata;
   OccupancyGrid grid;
-  std::vector<std::string> warnings;  ///< e.g. pixel 205 counted as free, yaw that other programs ignore
+  std::vector<std::string> warnings;  ///< e.g. pixel 205 counted as free; of the YAML too when that was read
 };
 
 /// Reads the YAML only. Every error names the file, the line and the key.
-[[nodiscard]] Result<MapMetadata> readMapMetadata(const std::filesystem::path& yaml);
-[[nodiscard]] Result<MapMetadata> parseMapMetadata(const std::string& text, const std::filesystem::path& yaml);
+[[nodiscard]] Result<MapYaml> readMapYaml(const std::filesystem::path& yaml);
 
 /// Reads YAML and image (PGM, PNG, JPG, BMP, TIFF; 8 or 16 bit; grey, colour, alpha) and classifies every pixel.
-/// The raster is copied once at most. Up to 30 000 x 30 000 px.
+/// Up to 30 000 x 30 000 px, of which only a few rows lie in memory as they are.
 [[nodiscard]] Result<LoadedMap> loadMap(const std::filesystem::path& yaml, const MapReadOptions& options = {});
 [[nodiscard]] Result<LoadedMap> loadMap(const MapMetadata& metadata, const MapReadOptions& options = {});
 

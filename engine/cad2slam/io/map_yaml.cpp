@@ -250,16 +250,4 @@ std::string formatMapYaml(const MapMetadata& metadata, const std::string& image_
          "\nfree_thresh: " + yamlNumber(metadata.free_threshold) + "\n";
 }
 
-Result<MapMetadata> readMapMetadata(const fs::path& yaml) {
-  Result<MapYaml> read = readMapYaml(yaml);
-  if (!read) return failAs(read);
-  return std::move(read->metadata);
-}
-
-Result<MapMetadata> parseMapMetadata(const std::string& text, const fs::path& yaml) {
-  Result<MapYaml> parsed = parseMapYaml(text, yaml);
-  if (!parsed) return failAs(parsed);
-  return std::move(parsed->metadata);
-}
-
 }  // namespace cad2slam

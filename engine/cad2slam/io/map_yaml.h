@@ -4,21 +4,14 @@
 
 #include <filesystem>
 #include <string>
-#include <vector>
 
 #include "cad2slam/core/result.h"
 #include "cad2slam/io/map_file.h"
 
 namespace cad2slam {
 
-/// A map YAML with what a user should hear of it.
-struct MapYaml {
-  MapMetadata metadata;
-  std::vector<std::string> warnings;
-};
-
+/// The text behind readMapYaml(); `yaml` is named in errors, and `image` is resolved against its folder.
 [[nodiscard]] Result<MapYaml> parseMapYaml(const std::string& text, const std::filesystem::path& yaml);
-[[nodiscard]] Result<MapYaml> readMapYaml(const std::filesystem::path& yaml);
 
 /// A YAML that reads back as exactly this metadata, with `image_name` as it should stand there.
 [[nodiscard]] std::string formatMapYaml(const MapMetadata& metadata, const std::string& image_name);

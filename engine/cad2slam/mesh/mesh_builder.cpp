@@ -10,8 +10,6 @@
 namespace cad2slam {
 namespace {
 
-constexpr auto kFreePixel = static_cast<std::uint8_t>(CellState::kFree);
-
 /// Tiles of `cell_px` pixels along one side of the raster; the last one is shifted inside the image.
 struct TileSpans {
   int size_px;
@@ -21,25 +19,6 @@ struct TileSpans {
   [[nodiscard]] int begin(int tile) const { return std::max(0, std::min(tile * cell_px, size_px - cell_px)); }
   [[nodiscard]] int end(int tile) const { return std::min(size_px, begin(tile) + cell_px); }
 };
-
-bool holdsFreePixel(const cv::Mat& states, const TileSpans& columns, const TileSpans& rows, int column, int row) {
-  const int first = columns.begin(column);
-  const int last = columns.end(column);
-  for (int y = rows.begin(row); y < rows.end(row); ++y) {
-    const std::uint8_t* line = states.ptr<std::uint8_t>(y);
-    if (std::find(line + first, line + last, kFreePixel) != line + last) return true;
-  }
-  return false;
-}
-
-std::size_t countFreePixels(const cv::Mat& states) {
-  std::size_t count = 0;
-  for (int row = 0; row < states.rows; ++row) {
-    const std::uint8_t* line = states.ptr<std::uint8_t>(row);
-    count += static_cast<std::size_t>(std::count(line, line + states.cols, kFreePixel));
-  }
-  return count;
-}
 
 }  // namespace
 
@@ -61,7 +40,8 @@ Result<Mesh> buildMesh(const OccupancyGrid& blueprint, std::optional<double> cel
   std::vector<TileCoordinate> tiles;
   for (int row = 0; row < rows.count(); ++row) {
     for (int column = 0; column < columns.count(); ++column) {
-      if (!holdsFreePixel(blueprint.states(), columns, rows, column, row)) continue;
+      const cv::Rect tile({columns.begin(column), rows.begin(row)}, cv::Point(columns.end(column), rows.end(row)));
+      if (!blueprint.holdsFree(tile)) continue;
       if (tiles.size() == kMaxNodes) {
         std::ostringstream cell_size;
         cell_size << lattice.cell_size;
@@ -80,7 +60,7 @@ Result<Mesh> buildMesh(const OccupancyGrid& blueprint, std::optional<double> cel
 
 double automaticCellSize(const OccupancyGrid& blueprint, int node_budget) {
   const double resolution = blueprint.frame().resolution();
-  const double free_area_m2 = static_cast<double>(countFreePixels(blueprint.states())) * resolution * resolution;
+  const double free_area_m2 = static_cast<double>(blueprint.freePixels()) * resolution * resolution;
   return std::max(resolution, std::sqrt(free_area_m2 / std::max(1, node_budget)));
 }
 

@@ -17,6 +17,7 @@ namespace cad2slam {
 namespace {
 
 constexpr double kMaxPoses = 1e7;
+constexpr double kMostPixels = 25e6;  // the search takes ten bytes a pixel; larger maps are made coarser
 constexpr std::uint8_t kNoParent = 0xff;
 constexpr std::array<std::array<int, 2>, 8> kSteps = {
     {{1, 0}, {-1, 0}, {0, 1}, {0, -1}, {1, 1}, {1, -1}, {-1, 1}, {-1, -1}}};
@@ -32,12 +33,13 @@ class CostField {
  public:
   CostField(const OccupancyGrid& map, const PlannerSettings& settings) : resolution_(map.frame().resolution()) {
     // One closed pixel all around stands for the outside, which is unknown.
-    cv::Mat open(map.states().rows + 2, map.states().cols + 2, CV_8UC1, cv::Scalar(0));
-    cv::compare(map.states(), static_cast<int>(CellState::kFree),
-                open(cv::Rect(1, 1, map.states().cols, map.states().rows)), cv::CMP_EQ);
+    const cv::Mat states = map.states();
+    const cv::Rect inner(1, 1, states.cols, states.rows);
+    cv::Mat open(states.rows + 2, states.cols + 2, CV_8UC1, cv::Scalar(0));
+    cv::compare(states, static_cast<int>(CellState::kFree), open(inner), cv::CMP_EQ);
     cv::Mat distance_px;
     cv::distanceTransform(open, distance_px, cv::DIST_L2, cv::DIST_MASK_PRECISE);
-    cost_ = distance_px(cv::Rect(1, 1, map.states().cols, map.states().rows)).clone();
+    cost_ = distance_px(inner).clone();
     for (int row = 0; row < cost_.rows; ++row) {
       float* cost = cost_.ptr<float>(row);
       for (int column = 0; column < cost_.cols; ++column) cost[column] = costAt(cost[column], settings);
@@ -244,14 +246,13 @@ Result<PlannedPath> sample(const Polyline& corners_m, double step_m) {
   return path;
 }
 
-Result<cv::Point> openPixel(const OccupancyGrid& map, const CostField& field, const Eigen::Vector2d& point_m,
-                            const std::string& role) {
+/// `field_frame`: of the field, which may be coarser than the map.
+Result<cv::Point> openPixel(const OccupancyGrid& map, const CostField& field, const MapFrame& field_frame,
+                            const Eigen::Vector2d& point_m, const std::string& role) {
   if (!point_m.allFinite() || !map.frame().contains(point_m)) {
     return fail(ErrorCode::kOutOfDomain, "The " + role + " " + describe(point_m) + " lies outside of the map");
   }
-  const Eigen::Vector2d pixel = map.frame().pixelFromMetric(point_m);
-  const cv::Point cell(static_cast<int>(std::floor(pixel.x())), static_cast<int>(std::floor(pixel.y())));
-  switch (map.at(cell.x, cell.y)) {
+  switch (map.at(point_m)) {
     case CellState::kOccupied:
       return fail(ErrorCode::kOutOfDomain, "The " + role + " " + describe(point_m) + " lies inside a wall");
     case CellState::kUnknown:
@@ -259,6 +260,8 @@ Result<cv::Point> openPixel(const OccupancyGrid& map, const CostField& field, co
     case CellState::kFree:
       break;
   }
+  const Eigen::Vector2d pixel = field_frame.pixelFromMetric(point_m);
+  const cv::Point cell(static_cast<int>(std::floor(pixel.x())), static_cast<int>(std::floor(pixel.y())));
   if (!field.isOpen(cell.x, cell.y)) {
     return fail(ErrorCode::kOutOfDomain,
                 "The " + role + " " + describe(point_m) + " lies nearer to a wall than the radius of the robot");
@@ -279,23 +282,27 @@ Result<PlannedPath> planPath(const OccupancyGrid& map, const Eigen::Vector2d& st
     return fail(ErrorCode::kOutOfDomain,
                 "The planner needs a positive step, and a radius, clearance and clearance cost that are not negative");
   }
-  const CostField field(map, settings);
-  const Result<cv::Point> start = openPixel(map, field, start_m, "start");
+  const double pixels = static_cast<double>(map.frame().width()) * map.frame().height();
+  const Result<OccupancyGrid> grid = pooled(map, static_cast<int>(std::ceil(std::sqrt(pixels / kMostPixels))));
+  if (!grid) return failAs(grid);
+  const MapFrame& frame = grid->frame();
+  const CostField field(*grid, settings);
+  const Result<cv::Point> start = openPixel(map, field, frame, start_m, "start");
   if (!start) return failAs(start);
-  const Result<cv::Point> goal = openPixel(map, field, goal_m, "goal");
+  const Result<cv::Point> goal = openPixel(map, field, frame, goal_m, "goal");
   if (!goal) return failAs(goal);
 
   const GridWay way = GridSearch(field, *start, *goal).run();
   if (way.pixels.empty()) {
     return fail(ErrorCode::kDegenerate, "No path leads from " + describe(start_m) + " to " + describe(goal_m));
   }
-  Polyline points = {map.frame().pixelFromMetric(start_m)};
+  Polyline points = {frame.pixelFromMetric(start_m)};
   for (const cv::Point& pixel : way.pixels) points.emplace_back(pixel.x + 0.5, pixel.y + 0.5);
-  points.push_back(map.frame().pixelFromMetric(goal_m));
+  points.push_back(frame.pixelFromMetric(goal_m));
 
   Polyline corners_m;
   for (const Eigen::Vector2d& point : shorten(field, points)) {
-    const Eigen::Vector2d corner = map.frame().metricFromPixel(point);
+    const Eigen::Vector2d corner = frame.metricFromPixel(point);
     if (corners_m.empty() || corner != corners_m.back()) corners_m.push_back(corner);
   }
   corners_m.front() = start_m;

@@ -31,7 +31,8 @@ struct PlannedPath {
 /// Finds a way over free pixels with A* on the 8-connected grid (no cutting of corners) and shortens it to any angle
 /// where nothing but free space (and no lost clearance) lies in between. Outside of the raster nothing is free.
 /// kOutOfDomain: start or goal is outside the map, not free or nearer than the robot's radius to a wall, or a setting
-/// is no length; kDegenerate: no path between them.
+/// is no length; kDegenerate: no path between them. A map of more than 25 million pixels is searched on a coarser grid,
+/// on which a pixel is free only where all it stands for are.
 [[nodiscard]] Result<PlannedPath> planPath(const OccupancyGrid& map, const Eigen::Vector2d& start_m,
                                            const Eigen::Vector2d& goal_m, const PlannerSettings& settings = {});
 

@@ -42,34 +42,6 @@ void drawAnchors(const Projector& projector, const MapFrame& frame, const std::v
 
 }  // namespace
 
-Result<OccupancyGrid> pooled(const OccupancyGrid& grid, int factor) {
-  if (factor <= 1) return grid;
-  const cv::Mat& states = grid.states();
-  const int width = (states.cols + factor - 1) / factor;
-  const int height = (states.rows + factor - 1) / factor;
-  // Rows count from the top, so a last row that is not full reaches below the bottom edge.
-  const MapFrame& frame = grid.frame();
-  const double resolution = frame.resolution() * factor;
-  const Eigen::Vector2d corner = frame.metricFromPixel({0.0, static_cast<double>(height) * factor});
-  const Result<MapFrame> pooled_frame =
-      MapFrame::create(resolution, width, height, {corner, frame.metricFromCorner().heading});
-  if (!pooled_frame) return failAs(pooled_frame);
-  cv::Mat result(height, width, CV_8UC1, cv::Scalar(kFree));
-  for (int row = 0; row < states.rows; ++row) {
-    const std::uint8_t* from = states.ptr<std::uint8_t>(row);
-    std::uint8_t* to = result.ptr<std::uint8_t>(row / factor);
-    for (int column = 0; column < states.cols; ++column) {
-      std::uint8_t& state = to[column / factor];
-      if (from[column] == kOccupied || state == kOccupied) {
-        state = kOccupied;
-      } else if (from[column] == kUnknown) {
-        state = kUnknown;
-      }
-    }
-  }
-  return OccupancyGrid(*pooled_frame, result);
-}
-
 Result<OccupancyGrid> warpGrid(const Projector& projector, bool to_slam, const OccupancyGrid& grid,
                                const MapFrame& target_frame) {
   const double scale = to_slam ? projector.info().scale : 1.0 / projector.info().scale;
@@ -107,7 +79,7 @@ Result<cv::Mat> drawOverlay(const Projector& projector, const OccupancyGrid& blu
   const cv::Mat blueprint_walls = maskOf(*warped, kOccupied);
   // Ink takes light away: magenta its green, green the red and the blue. Unknown is a light grey.
   cv::Mat channels[3];
-  cv::Mat paper(map->states().size(), CV_8UC1, cv::Scalar(255));
+  cv::Mat paper(slam_walls.size(), CV_8UC1, cv::Scalar(255));
   paper.setTo(cv::Scalar(226), maskOf(*map, kUnknown));
   cv::subtract(paper, 0.85 * slam_walls, channels[0]);
   cv::subtract(paper, 0.85 * blueprint_walls, channels[1]);

@@ -23,10 +23,6 @@ struct OverlayAnchor {
                                           const OccupancyGrid& slam, const std::vector<OverlayAnchor>& anchors,
                                           int largest_side_px = 3000);
 
-/// A grid with every `factor` x `factor` pixels made one: occupied wins over unknown, unknown over free, so that no
-/// wall is lost.
-[[nodiscard]] Result<OccupancyGrid> pooled(const OccupancyGrid& grid, int factor);
-
 /// The states of `grid` warped pixel by pixel into `target_frame`; unknown where the mesh does not reach. Pools the
 /// source first where its pixels are smaller than the target's, so that thin walls survive.
 [[nodiscard]] Result<OccupancyGrid> warpGrid(const Projector& projector, bool to_slam, const OccupancyGrid& grid,

@@ -46,14 +46,12 @@ double castRay(const OccupancyGrid& map, const Eigen::Vector2d& start_px, const 
   const Eigen::Vector2d first = start_px + inside.enter * px_per_m;
   const int column = std::clamp(static_cast<int>(std::floor(first.x())), 0, width - 1);
   const int row = std::clamp(static_cast<int>(std::floor(first.y())), 0, height - 1);
-  const cv::Mat& states = map.states();
   for (GridTraversal ray(start_px, px_per_m, column, row, inside.enter); ray.entered() <= model.range_max_m;
        ray.advance()) {
     if (ray.column() < 0 || ray.row() < 0 || ray.column() >= width || ray.row() >= height) {
       return model.stops_at_unknown ? ray.entered() : kNoHit;
     }
-    const auto state = static_cast<CellState>(states.ptr<std::uint8_t>(ray.row())[ray.column()]);
-    if (stopsBeam(state, model)) return ray.entered();
+    if (stopsBeam(map.at(ray.column(), ray.row()), model)) return ray.entered();
   }
   return kNoHit;
 }

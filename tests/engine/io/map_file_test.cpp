@@ -96,7 +96,8 @@ class MapFileTest : public QObject {
     metadata.free_threshold = 1.0 / 3.0;
     QVERIFY(writeMap(folder.path("map.yaml"), name.toStdString(), picture, metadata).has_value());
     QVERIFY(samePixels(*loadPicture(folder.path(name.toStdString())), picture));
-    const Result<MapMetadata> read = readMapMetadata(folder.path("map.yaml"));
+    const Result<MapYaml> yaml = readMapYaml(folder.path("map.yaml"));
+    const MapMetadata* read = &yaml->metadata;
     QCOMPARE(read->image, folder.path(name.toStdString()));
     QCOMPARE(read->resolution_m_per_px, metadata.resolution_m_per_px);
     QVERIFY(read->metric_from_corner.translation == metadata.metric_from_corner.translation);

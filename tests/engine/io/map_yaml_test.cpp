@@ -126,7 +126,7 @@ class MapYamlTest : public QObject {
     QFETCH(QByteArray, text);
     QFETCH(QString, where);
     QFETCH(QString, word);
-    const Result<MapMetadata> read = parseMapMetadata(text.toStdString(), "m.yaml");
+    const Result<MapYaml> read = parseMapYaml(text.toStdString(), "m.yaml");
     QVERIFY(!read);
     QVERIFY(read.error().code == ErrorCode::kMalformed);
     QCOMPARE(QString::fromStdString(read.error().where), where);
@@ -135,8 +135,8 @@ class MapYamlTest : public QObject {
 
   void cutAnywhereItIsAnErrorOrTheSame() {
     for (std::size_t length = 0; length < kGood.size(); ++length) {
-      const Result<MapMetadata> read = parseMapMetadata(kGood.substr(0, length), "m.yaml");
-      if (read) QCOMPARE(read->resolution_m_per_px, 0.05);  // only the last threshold may have lost digits
+      const Result<MapYaml> read = parseMapYaml(kGood.substr(0, length), "m.yaml");
+      if (read) QCOMPARE(read->metadata.resolution_m_per_px, 0.05);  // only the last threshold may have lost digits
     }
   }
 
@@ -164,9 +164,9 @@ class MapYamlTest : public QObject {
 
   void missingFilesAndFolders() {
     const test::TemporaryFolder folder;
-    QVERIFY(readMapMetadata(folder.path("none.yaml")).error().code == ErrorCode::kNotFound);
-    QVERIFY(readMapMetadata(folder.path()).error().code == ErrorCode::kUnreadable);
-    QCOMPARE(readMapMetadata(folder.write("m.yaml", kGood))->image, folder.path("map.pgm"));
+    QVERIFY(readMapYaml(folder.path("none.yaml")).error().code == ErrorCode::kNotFound);
+    QVERIFY(readMapYaml(folder.path()).error().code == ErrorCode::kUnreadable);
+    QCOMPARE(readMapYaml(folder.write("m.yaml", kGood))->metadata.image, folder.path("map.pgm"));
   }
 };
 

@@ -54,60 +54,12 @@ int countOf(const OccupancyGrid& grid, int state) {
 class OverlayPictureTest : public QObject {
   Q_OBJECT
  private slots:
-  void poolingLosesNoWall_data();
-  void poolingLosesNoWall();
-  void pooledPlacesStayInPlace();
   void warpKeepsThinWalls();
   void warpIsUnknownBeyondTheMesh();
   void trinaryValuesAreMapServers();
   void overlayShowsWhoSeesAWall();
   void overlayIsNotLargerThanAsked();
 };
-
-void OverlayPictureTest::poolingLosesNoWall_data() {
-  QTest::addColumn<int>("factor");
-  for (const int factor : {1, 2, 3, 7, 64, 1000}) QTest::addRow("by %d", factor) << factor;
-}
-
-void OverlayPictureTest::poolingLosesNoWall() {
-  QFETCH(int, factor);
-  std::mt19937 random(1);
-  cv::Mat states(53, 91, CV_8UC1);
-  for (int row = 0; row < states.rows; ++row) {
-    for (int column = 0; column < states.cols; ++column) {
-      const auto part = random() % 100;
-      states.at<std::uint8_t>(row, column) = static_cast<std::uint8_t>(part < 2   ? kOccupied
-                                                                       : part < 6 ? kUnknown
-                                                                                  : kFree);
-    }
-  }
-  const OccupancyGrid grid(frameOf(91, 53, 0.05), states);
-  const Result<OccupancyGrid> result = pooled(grid, factor);
-  QVERIFY(result.has_value());
-  QCOMPARE(result->frame().width(), (91 + factor - 1) / factor);
-  QCOMPARE(result->frame().height(), (53 + factor - 1) / factor);
-  for (int row = 0; row < result->frame().height(); ++row) {
-    for (int column = 0; column < result->frame().width(); ++column) {
-      int expected = kFree;
-      for (int y = row * factor; y < std::min(53, (row + 1) * factor); ++y) {
-        for (int x = column * factor; x < std::min(91, (column + 1) * factor); ++x) {
-          const int state = states.at<std::uint8_t>(y, x);
-          if (state == kOccupied || (state == kUnknown && expected == kFree)) expected = state;
-        }
-      }
-      QCOMPARE(static_cast<int>(result->at(column, row)), expected);
-    }
-  }
-}
-
-void OverlayPictureTest::pooledPlacesStayInPlace() {
-  const MapFrame frame = frameOf(91, 53, 0.05, {{3.0, -7.0}, 0.4});
-  cv::Mat states(53, 91, CV_8UC1, cv::Scalar(kFree));
-  states.at<std::uint8_t>(17, 44) = static_cast<std::uint8_t>(kOccupied);
-  const OccupancyGrid result = *pooled({frame, states}, 5);
-  QVERIFY(result.at(frame.metricFromPixel({44.5, 17.5})) == CellState::kOccupied);
-  QCOMPARE(countOf(result, kOccupied), 1);
-}
 
 void OverlayPictureTest::warpKeepsThinWalls() {
   // Walls of 2.5 cm drawn at 20 cm per pixel: without pooling most of them would fall between the samples.

@@ -357,6 +357,15 @@ class FilesTest : public QObject {
     }
   }
 
+  void scenario23_aYawThatOthersIgnoreIsTold() {
+    OfficeWindow office;
+    const QString yaml = sandbox_->path(QStringLiteral("turned.yaml"));
+    QVERIFY(QImage(9, 9, QImage::Format_Grayscale8).save(sandbox_->path(QStringLiteral("a.png"))));
+    write(yaml, "{image: a.png, resolution: 1, origin: [0, 0, 0.5], negate: 0, occupied_thresh: 1, free_thresh: 0}");
+    QVERIFY(office.window.files().setImage(Side::kSlam, yaml));
+    QVERIFY(office.hasMessage(QStringLiteral("yaml-note")));
+  }
+
   void scenario25_exportRefusesChecksAndReadsBack() {
     const QString path = sandbox_->path(QStringLiteral("site.c2s"));
     OfficeWindow office;

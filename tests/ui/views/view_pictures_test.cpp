@@ -43,7 +43,7 @@ std::optional<Site> solvedSite(const std::string& name) {
   const std::filesystem::path folder = std::filesystem::path(CAD2SLAM_SHARED_DATA) / name;
   if (!std::filesystem::exists(folder)) return std::nullopt;
   const Result<LoadedMap> blueprint = loadMap(folder / "blueprint.yaml");
-  const Result<MapMetadata> slam = readMapMetadata(folder / "slam.yaml");
+  const Result<MapYaml> slam = readMapYaml(folder / "slam.yaml");
   const Result<AnchorImport> anchors = readAnchorsCsv(folder / "anchors.csv");
   if (!blueprint || !slam || !anchors) return std::nullopt;
   Result<Mesh> mesh = buildMesh(blueprint->grid, std::nullopt);
@@ -53,11 +53,16 @@ std::optional<Site> solvedSite(const std::string& name) {
   Result<Solution> solution = solver.solve(anchors->anchors, defaultSettings(Model::kStretch));
   if (!solution) return std::nullopt;
   Result<Projector> projector = makeProjector(*shared, *solution);
-  const Result<MapFrame> slam_frame = readMapFrame(*slam);
+  const Result<MapFrame> slam_frame = readMapFrame(slam->metadata);
   if (!projector || !slam_frame) return std::nullopt;
-  Site site{blueprint->grid.frame(),        *slam_frame,          TilePyramid::load(blueprint->metadata.image),
-            TilePyramid::load(slam->image), anchors->anchors,     shared,
-            std::move(*solution),           std::move(*projector)};
+  Site site{blueprint->grid.frame(),
+            *slam_frame,
+            TilePyramid::load(blueprint->metadata.image),
+            TilePyramid::load(slam->metadata.image),
+            anchors->anchors,
+            shared,
+            std::move(*solution),
+            std::move(*projector)};
   const bool read = QTest::qWaitFor(
       [&] {
         return site.blueprint->state() != TilePyramid::State::kLoading &&

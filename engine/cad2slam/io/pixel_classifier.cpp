@@ -1,10 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The CAD2SLAM authors
 // SPDX-License-Identifier: Apache-2.0
-#include "cad2slam/io/pixel_states.h"
+#include "cad2slam/io/pixel_classifier.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstring>
 #include <limits>
 #include <optional>
 #include <vector>
@@ -118,17 +119,19 @@ class GreyTable {
     }
   }
 
-  std::uint8_t operator()(Sample value) {
-    ++counts_[value];
+  std::uint8_t operator()(Sample value, std::size_t times = 1) {
+    counts_[value] += times;
     return static_cast<std::uint8_t>(states_[value]);
   }
-  /// Adds what the pixels that were looked up amount to.
-  void report(PixelStates& result) const {
+  /// What the pixels that were looked up amount to.
+  [[nodiscard]] PixelNotes notes() const {
+    PixelNotes notes;
     for (std::size_t value = 0; value < kValues; ++value) {
-      if (differs_[value]) result.read_differently += counts_[value];
+      if (differs_[value]) notes.read_differently += counts_[value];
     }
     const bool has_205 = saver_unknown_ && counts_[*saver_unknown_] > 0;
-    result.grey_205_is_free = has_205 && states_[*saver_unknown_] == CellState::kFree;
+    notes.grey_205_is_free = has_205 && states_[*saver_unknown_] == CellState::kFree;
+    return notes;
   }
 
  private:
@@ -138,73 +141,102 @@ class GreyTable {
   std::optional<std::size_t> saver_unknown_;
 };
 
+/// Of equal samples from `first` on; looks at eight bytes at once where it can.
 template <class Sample>
-PixelStates classifyGrey(const cv::Mat& picture, GreyTable<Sample>& table) {
-  PixelStates result;
-  // Copies of a cv::Mat share their pixels; those of a caller must not change.
-  const bool in_place = picture.type() == CV_8UC1 && picture.u != nullptr && picture.u->refcount == 1;
-  result.states = in_place ? picture : cv::Mat(picture.rows, picture.cols, CV_8UC1);
-  for (int row = 0; row < picture.rows; ++row) {
-    const Sample* from = picture.ptr<Sample>(row);
-    std::uint8_t* to = result.states.ptr<std::uint8_t>(row);
-    for (int column = 0; column < picture.cols; ++column) to[column] = table(from[column]);
+const Sample* endOfRun(const Sample* first, const Sample* end) {
+  constexpr std::ptrdiff_t kSamples = sizeof(std::uint64_t) / sizeof(Sample);
+  const Sample* at = first + 1;
+  if (end - at >= kSamples) {
+    const std::uint64_t same = std::numeric_limits<std::uint64_t>::max() / std::numeric_limits<Sample>::max() * *first;
+    for (std::uint64_t samples = 0; end - at >= kSamples; at += kSamples) {
+      std::memcpy(&samples, at, sizeof samples);
+      if (samples != same) break;
+    }
   }
-  table.report(result);
-  return result;
+  return std::find_if(at, end, [first](Sample sample) { return sample != *first; });
 }
 
 template <class Sample, class ThisServer, class OtherServer>
-PixelStates classifyColour(const cv::Mat& picture, GreyTable<Sample>& table, const Stretch<Sample>& stretch,
-                           const ThisServer& server, const OtherServer& other_server) {
-  constexpr Sample kOpaque = std::numeric_limits<Sample>::max();
-  const int channels = picture.channels();
-  PixelStates result;
-  result.states.create(picture.rows, picture.cols, CV_8UC1);
-  std::size_t read_differently = 0;
-  for (int row = 0; row < picture.rows; ++row) {
-    const Sample* from = picture.ptr<Sample>(row);
-    std::uint8_t* to = result.states.ptr<std::uint8_t>(row);
-    for (int column = 0; column < picture.cols; ++column, from += channels) {
-      const Sample alpha = channels == 4 ? from[3] : kOpaque;
-      if (from[0] == from[1] && from[1] == from[2] && alpha == kOpaque) {
-        to[column] = table(from[0]);
-        continue;
+class ClassifierOf : public PixelClassifier {
+ public:
+  ClassifierOf(int channels, const PixelRules& rules, ThisServer server, OtherServer other_server)
+      : channels_(channels),
+        stretch_(rules.full_brightness),
+        server_(std::move(server)),
+        other_server_(std::move(other_server)),
+        table_(stretch_, server_, other_server_) {}
+
+  cv::Mat classify(const cv::Mat& piece) override {
+    cv::Mat states(piece.rows, piece.cols, CV_8UC1);
+    for (int row = 0; row < piece.rows; ++row) {
+      const Sample* from = piece.ptr<Sample>(row);
+      std::uint8_t* to = states.ptr<std::uint8_t>(row);
+      if (channels_ == 1) {
+        classifyGreys(from, from + piece.cols, to);
+      } else {
+        for (int column = 0; column < piece.cols; ++column, from += channels_) to[column] = ofColour(from);
       }
-      const Pixel pixel{stretch(from[2]), stretch(from[1]), stretch(from[0]),
-                        alpha == kOpaque ? 65535U : stretch(alpha)};
-      const CellState state = server(pixel);
-      to[column] = static_cast<std::uint8_t>(state);
-      if (other_server(pixel) != state) ++read_differently;
+    }
+    return states;
+  }
+
+  [[nodiscard]] PixelNotes notes() const override {
+    PixelNotes notes = table_.notes();
+    notes.read_differently += read_differently_;
+    return notes;
+  }
+
+ private:
+  /// Run by run: most of a map is long runs of the same grey.
+  void classifyGreys(const Sample* from, const Sample* end, std::uint8_t* to) {
+    while (from != end) {
+      const Sample* run_end = endOfRun(from, end);
+      const auto length = static_cast<std::size_t>(run_end - from);
+      std::memset(to, table_(*from, length), length);
+      to += length;
+      from = run_end;
     }
   }
-  table.report(result);
-  result.read_differently += read_differently;
-  return result;
-}
+
+  std::uint8_t ofColour(const Sample* bgra) {
+    constexpr Sample kOpaque = std::numeric_limits<Sample>::max();
+    const Sample alpha = channels_ == 4 ? bgra[3] : kOpaque;
+    if (bgra[0] == bgra[1] && bgra[1] == bgra[2] && alpha == kOpaque) return table_(bgra[0]);
+    const Pixel pixel{stretch_(bgra[2]), stretch_(bgra[1]), stretch_(bgra[0]),
+                      alpha == kOpaque ? 65535U : stretch_(alpha)};
+    const CellState state = server_(pixel);
+    if (other_server_(pixel) != state) ++read_differently_;
+    return static_cast<std::uint8_t>(state);
+  }
+
+  int channels_;
+  Stretch<Sample> stretch_;
+  ThisServer server_;
+  OtherServer other_server_;
+  GreyTable<Sample> table_;
+  std::size_t read_differently_ = 0;
+};
 
 template <class Sample>
-PixelStates classify(const cv::Mat& picture, const PixelRules& rules) {
-  const Stretch<Sample> stretch(rules.full_brightness);
-  const JazzyServer jazzy(rules);
-  const HumbleServer humble(rules, picture.channels() == 4);
-  const auto run = [&](const auto& server, const auto& other_server) {
-    GreyTable<Sample> table(stretch, server, other_server);
-    return picture.channels() == 1 ? classifyGrey<Sample>(picture, table)
-                                   : classifyColour<Sample>(picture, table, stretch, server, other_server);
-  };
-  return rules.semantics == MapSemantics::kJazzy ? run(jazzy, humble) : run(humble, jazzy);
+std::unique_ptr<PixelClassifier> createFor(int channels, const PixelRules& rules) {
+  JazzyServer jazzy(rules);
+  HumbleServer humble(rules, channels == 4);
+  if (rules.semantics == MapSemantics::kJazzy) {
+    return std::make_unique<ClassifierOf<Sample, JazzyServer, HumbleServer>>(channels, rules, jazzy, humble);
+  }
+  return std::make_unique<ClassifierOf<Sample, HumbleServer, JazzyServer>>(channels, rules, humble, jazzy);
 }
 
 }  // namespace
 
-Result<PixelStates> classifyPixels(cv::Mat picture, const PixelRules& rules) {
-  const int channels = picture.channels();
-  if (picture.empty() || (channels != 1 && channels != 3 && channels != 4)) {
+Result<std::unique_ptr<PixelClassifier>> PixelClassifier::create(int type, const PixelRules& rules) {
+  const int channels = CV_MAT_CN(type);
+  if (channels != 1 && channels != 3 && channels != 4) {
     return fail(ErrorCode::kMalformed,
                 "is an image of an unusual kind: grey, colour, or colour with alpha can be read");
   }
-  if (picture.depth() == CV_8U) return classify<std::uint8_t>(picture, rules);
-  if (picture.depth() == CV_16U) return classify<std::uint16_t>(picture, rules);
+  if (CV_MAT_DEPTH(type) == CV_8U) return createFor<std::uint8_t>(channels, rules);
+  if (CV_MAT_DEPTH(type) == CV_16U) return createFor<std::uint16_t>(channels, rules);
   return fail(ErrorCode::kMalformed, "is an image with neither 8 nor 16 bits a sample");
 }
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The CAD2SLAM authors
 // SPDX-License-Identifier: Apache-2.0
-#include "cad2slam/io/pixel_states.h"
+#include "cad2slam/io/pixel_classifier.h"
 
 #include <opencv2/core.hpp>
 
@@ -21,9 +21,21 @@ PixelRules rulesOf(MapSemantics semantics, MapMode mode = MapMode::kTrinary) {
   return rules;
 }
 
+struct Classified {
+  CellState first;
+  cv::Mat states;
+  PixelNotes notes;
+};
+
+Classified classified(const cv::Mat& picture, const PixelRules& rules) {
+  const auto classifier = PixelClassifier::create(picture.type(), rules);
+  if (!classifier) return {static_cast<CellState>(99), {}, {}};
+  const cv::Mat states = (*classifier)->classify(picture);
+  return {static_cast<CellState>(states.at<std::uint8_t>(0, 0)), states, (*classifier)->notes()};
+}
+
 CellState stateOf(const cv::Mat& pixel, const PixelRules& rules) {
-  const Result<PixelStates> result = classifyPixels(pixel.clone(), rules);
-  return result ? static_cast<CellState>(result->states.at<std::uint8_t>(0, 0)) : static_cast<CellState>(99);
+  return classified(pixel, rules).first;
 }
 
 cv::Mat grey(int value) {
@@ -39,7 +51,7 @@ Q_DECLARE_METATYPE(cv::Mat)
 Q_DECLARE_METATYPE(cad2slam::CellState)
 Q_DECLARE_METATYPE(cad2slam::MapMode)
 
-class PixelStatesTest : public QObject {
+class PixelClassifierTest : public QObject {
   Q_OBJECT
 
  private slots:
@@ -92,8 +104,7 @@ class PixelStatesTest : public QObject {
       PixelRules rules = rulesOf(semantics, mode);
       rules.negate = negate;
       QVERIFY(stateOf(pixel, rules) == expected);
-      const Result<PixelStates> result = classifyPixels(pixel.clone(), rules);
-      QCOMPARE(result->read_differently, std::size_t{jazzy != humble ? 1U : 0U});
+      QCOMPARE(classified(pixel, rules).notes.read_differently, std::size_t{jazzy != humble ? 1U : 0U});
       // 16 bits say the same as 8, and grey the same as grey in three channels.
       cv::Mat wide;
       pixel.convertTo(wide, CV_16U, 257.0);
@@ -133,31 +144,43 @@ class PixelStatesTest : public QObject {
 
   void unknownCountedAsFreeIsNoticed() {
     PixelRules rules = rulesOf(MapSemantics::kJazzy);
-    QVERIFY(!classifyPixels(grey(205), rules)->grey_205_is_free);
+    QVERIFY(!classified(grey(205), rules).notes.grey_205_is_free);
     rules.free_threshold = 0.25;
-    QVERIFY(classifyPixels(grey(205), rules)->grey_205_is_free);
-    QVERIFY(classifyPixels(bgra(205, 205, 205, 255), rules)->grey_205_is_free);
-    QVERIFY(!classifyPixels(grey(204), rules)->grey_205_is_free);
+    QVERIFY(classified(grey(205), rules).notes.grey_205_is_free);
+    QVERIFY(classified(bgra(205, 205, 205, 255), rules).notes.grey_205_is_free);
+    QVERIFY(!classified(grey(204), rules).notes.grey_205_is_free);
   }
 
-  void greyIsClassifiedInPlaceUnlessShared() {
-    cv::Mat mine(4, 5, CV_8UC1, cv::Scalar(254));
-    const std::uint8_t* pixels = mine.data;
-    const cv::Mat shared(4, 5, CV_8UC1, cv::Scalar(254));
-    const Result<PixelStates> moved = classifyPixels(std::move(mine), rulesOf(MapSemantics::kJazzy));
-    QVERIFY(moved->states.data == pixels);
-    const Result<PixelStates> copied = classifyPixels(shared, rulesOf(MapSemantics::kJazzy));
-    QVERIFY(copied->states.data != shared.data);
-    QCOMPARE(int{shared.at<std::uint8_t>(3, 4)}, 254);
+  void piecesSayWhatTheWholeSays() {
+    for (const int type : {CV_8UC1, CV_8UC3, CV_8UC4, CV_16UC1, CV_16UC4}) {
+      cv::Mat picture(31, 17, type);
+      cv::randu(picture, 0, CV_MAT_DEPTH(type) == CV_8U ? 256 : 65536);
+      for (const MapSemantics semantics : {MapSemantics::kJazzy, MapSemantics::kHumble}) {
+        PixelRules rules = rulesOf(semantics);
+        rules.free_threshold = 0.25;
+        const cv::Mat before = picture.clone();
+        const Classified whole = classified(picture, rules);
+        QCOMPARE(cv::norm(before, picture, cv::NORM_INF), 0.0);  // what a caller gave is not written to
+        const auto classifier = PixelClassifier::create(type, rules);
+        QVERIFY(classifier.has_value());
+        cv::Mat states;
+        for (int row = 0; row < picture.rows; row += 7) {
+          const cv::Mat piece = picture.rowRange(row, std::min(picture.rows, row + 7));
+          states.push_back((*classifier)->classify(piece));
+        }
+        QCOMPARE(cv::norm(states, whole.states, cv::NORM_INF), 0.0);
+        QCOMPARE((*classifier)->notes().read_differently, whole.notes.read_differently);
+        QCOMPARE((*classifier)->notes().grey_205_is_free, whole.notes.grey_205_is_free);
+      }
+    }
   }
 
   void otherPixelTypesAreRefused() {
     for (const int type : {CV_32FC1, CV_8SC1, CV_8UC2, CV_64FC3}) {
-      QVERIFY(!classifyPixels(cv::Mat(1, 1, type, cv::Scalar::all(0)), rulesOf(MapSemantics::kJazzy)));
+      QVERIFY(!PixelClassifier::create(type, rulesOf(MapSemantics::kJazzy)));
     }
-    QVERIFY(!classifyPixels(cv::Mat(), rulesOf(MapSemantics::kJazzy)));
   }
 };
 
-QTEST_APPLESS_MAIN(PixelStatesTest)
-#include "pixel_states_test.moc"
+QTEST_APPLESS_MAIN(PixelClassifierTest)
+#include "pixel_classifier_test.moc"
