@@ -8,6 +8,8 @@
 namespace cad2slam {
 namespace {
 
+constexpr double kSlow_s = 0.5;  // an edit whose answer would take longer is answered roughly first
+
 bool isSameQuestion(const SolveRequest& a, const SolveRequest& b) {
   return a.anchors == b.anchors && a.settings == b.settings && a.cell_size_m == b.cell_size_m &&
          a.blueprint == b.blueprint;
@@ -30,6 +32,7 @@ Alignment::Alignment(ProjectDocument& document, QObject* parent) : QObject(paren
     if (result->map != document_.currentMapName() || status_ == AlignmentStatus::kNoAnchors) return;
     if (result_ && result->revision < result_->revision) return;
     error_.reset();
+    if (result->quality == Quality::kFull) full_solve_s_ = result->seconds;
     setResult(result);
     if (isCurrent()) setStatus(AlignmentStatus::kUpToDate);
   });
@@ -66,6 +69,7 @@ void Alignment::setImages(std::shared_ptr<const OccupancyGrid> blueprint, std::o
 void Alignment::onChanged(const ChangeEvent& event) {
   if (event.what & (Change::kEverything | Change::kBlueprint)) {
     results_.clear();
+    full_solve_s_ = 0.0;
     service_.cancel();
     blueprint_.reset();  // comes back through setImages() as soon as it is loaded
     setResult(nullptr);
@@ -97,7 +101,9 @@ void Alignment::ask(Quality quality) {
     return;
   }
   setStatus(AlignmentStatus::kSolving);
-  service_.request(requestFor(*document_.currentMap(), quality));
+  SolveRequest request = requestFor(*document_.currentMap(), quality);
+  request.preview_first = quality == Quality::kFull && full_solve_s_ > kSlow_s;
+  service_.request(std::move(request));
 }
 
 SolveRequest Alignment::requestFor(const ProjectSlamMap& map, Quality quality) const {

@@ -83,6 +83,7 @@ class Alignment : public QObject {
   std::optional<MapFrame> slam_frame_;
   AlignmentStatus status_ = AlignmentStatus::kNotReady;
   SolveResultPtr result_;
+  double full_solve_s_ = 0.0;  // of the last one
   std::map<std::string, SolveResultPtr> results_;
   std::optional<Error> error_;
   bool others_wanted_ = false;

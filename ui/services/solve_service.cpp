@@ -31,13 +31,13 @@ SolveService::~SolveService() {
 
 void SolveService::request(SolveRequest request) {
   std::erase_if(aside_, [&](const SolveRequest& waiting) { return waiting.map == request.map; });
-  if (!running_) return start(std::move(request), false);
+  waiting_ = std::move(request);
+  if (!running_) return startNext();
   if (running_->aside) {
     stopAside();
   } else if (running_->request.quality == Quality::kFull) {
     watcher_.cancel();
   }
-  waiting_ = std::move(request);
 }
 
 void SolveService::cancel() {
@@ -64,7 +64,11 @@ void SolveService::stopAside() {
 }
 
 void SolveService::startNext() {
-  if (waiting_) {
+  if (waiting_ && std::exchange(waiting_->preview_first, false)) {
+    SolveRequest preview = *waiting_;
+    preview.quality = Quality::kPreview;
+    start(std::move(preview), false);
+  } else if (waiting_) {
     start(*std::exchange(waiting_, std::nullopt), false);
   } else if (!aside_.empty()) {
     SolveRequest next = std::move(aside_.front());
@@ -101,7 +105,12 @@ void SolveService::onFinished() {
       finished.aside ? emit solvedAside(*outcome) : emit solved(*outcome);
     } else {
       const SolveFailure failure{finished.request.revision, finished.request.map, outcome.error()};
-      finished.aside ? emit failedAside(failure) : emit failed(failure);
+      const bool full_one_follows = running_ && !running_->aside && running_->request.revision == failure.revision;
+      if (finished.aside) {
+        emit failedAside(failure);
+      } else if (!full_one_follows) {
+        emit failed(failure);
+      }
     }
   }
   if (!isBusy()) emit idle();

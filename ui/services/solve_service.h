@@ -19,7 +19,8 @@ class SolveWorker;
 
 /// Solves in a thread of its own; the newest request wins. A running full solve is cancelled by any newer request; a
 /// running preview is short and may land, so that a drag is never starved. Results come in the order of their
-/// revisions, never an older one after a newer one. All signals are emitted on the thread of this object.
+/// revisions, never an older one after a newer one. All signals are emitted on the thread of this object. A request
+/// with `preview_first` has two results of its revision, unless a newer one comes in between.
 ///
 /// Other SLAM maps can be solved aside: in the same thread, only while nothing else is to be done, one request for
 /// each map. A request stops the one that runs aside, which begins again afterwards.

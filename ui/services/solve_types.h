@@ -37,6 +37,7 @@ struct SolveRequest {
   SolverSettings settings;
   std::optional<double> cell_size_m;
   Quality quality = Quality::kFull;
+  bool preview_first = false;  ///< a result of Quality::kPreview comes before the full one
 };
 
 /// One solved state, immutable and complete: whoever holds it can draw, project and judge.

@@ -90,6 +90,43 @@ class SolveServiceTest : public QObject {
     QVERIFY(solved.size() >= 5);
   }
 
+  void aSlowAnswerIsPrecededByARoughOne() {
+    SolveService service;
+    QSignalSpy solved(&service, &SolveService::solved);
+    QSignalSpy idle(&service, &SolveService::idle);
+    SolveRequest request = requestOf(freeHall(600, 400), 1, 0.5);
+    request.preview_first = true;
+    service.request(request);
+    QTRY_VERIFY_WITH_TIMEOUT(!idle.isEmpty(), kPatience);
+    QCOMPARE(solved.size(), 2);
+    const auto rough = solved.at(0).at(0).value<SolveResultPtr>();
+    const auto full = solved.at(1).at(0).value<SolveResultPtr>();
+    QVERIFY(rough->quality == Quality::kPreview && full->quality == Quality::kFull);
+    QVERIFY(rough->revision == 1 && full->revision == 1);
+    QVERIFY(rough->mesh->nodeCount() < full->mesh->nodeCount());
+
+    request.revision = 2;  // whatever comes in between, the newest is the last
+    service.request(request);
+    request.revision = 3;
+    service.request(request);
+    idle.clear();
+    QTRY_VERIFY_WITH_TIMEOUT(!idle.isEmpty(), kPatience);
+    const auto last = solved.last().at(0).value<SolveResultPtr>();
+    QVERIFY(last->revision == 3 && last->quality == Quality::kFull);
+  }
+
+  void whatFailsIsToldOnce() {
+    SolveService service;
+    QSignalSpy failed(&service, &SolveService::failed);
+    QSignalSpy idle(&service, &SolveService::idle);
+    SolveRequest request = requestOf(freeHall(200, 100), 3);
+    request.anchors[1].in_slam.x() = std::nan("");
+    request.preview_first = true;
+    service.request(std::move(request));
+    QTRY_VERIFY_WITH_TIMEOUT(!idle.isEmpty(), kPatience);
+    QCOMPARE(failed.size(), 1);
+  }
+
   void cancelLeavesSilence() {
     SolveService service;
     QSignalSpy solved(&service, &SolveService::solved);
