@@ -104,12 +104,17 @@ void RasterStore::read(Side side, const ProjectRaster& raster, const std::string
     take(side, ticket, raster, map, watcher->result());
   });
   const bool want_grid = side == Side::kBlueprint;
-  watcher->setFuture(QtConcurrent::run(&pool_, [raster, want_grid]() -> Answer {
+  watcher->setFuture(QtConcurrent::run(&pool_, [this, side, ticket, raster, want_grid]() -> Answer {
     giveWayToWindow();
     Answer answer;
     const Result<void> done = guarded([&]() -> Result<void> {
       answer.state = checkRaster(raster);
       if (want_grid) {
+        // The picture is shown as soon as its frame is known; to find what is free takes seconds for a large one.
+        if (const Result<MapFrame> frame = readMapFrame(raster.metadata)) {
+          QMetaObject::invokeMethod(
+              this, [=, this, frame = *frame] { showEarly(side, ticket, raster, frame); }, Qt::QueuedConnection);
+        }
         Result<LoadedMap> loaded = loadMap(raster.metadata);
         if (!loaded) return failAs(loaded);
         answer.frame = loaded->grid.frame();
@@ -126,6 +131,15 @@ void RasterStore::read(Side side, const ProjectRaster& raster, const std::string
     if (!done) answer.frame = failAs(done);
     return answer;
   }));
+}
+
+void RasterStore::showEarly(Side side, int ticket, const ProjectRaster& raster, const MapFrame& frame) {
+  Slot& slot = at(side);
+  if (slot.ticket != ticket || slot.frame) return;
+  // The document may have been rescaled since; take() sees to it in the end.
+  if (!isSameFrame(*slot.wanted, raster.metadata)) return;
+  slot.frame = frame;
+  emit changed(side, true);
 }
 
 void RasterStore::take(Side side, int ticket, const ProjectRaster& raster, const std::string& map,
@@ -145,6 +159,7 @@ void RasterStore::take(Side side, int ticket, const ProjectRaster& raster, const
                   {}});
     return emit changed(side, true);
   }
+  const bool is_shown = slot.frame.has_value();
   // The document may have been rescaled while the image was being read.
   const MapMetadata wanted = *slot.wanted;
   slot.wanted = raster.metadata;
@@ -156,7 +171,7 @@ void RasterStore::take(Side side, int ticket, const ProjectRaster& raster, const
   if (!answer.described.image_sha256.empty())
     document_.describeRasters(map, side == Side::kBlueprint ? answer.described : ProjectRaster{},
                               side == Side::kSlam ? answer.described : ProjectRaster{});
-  emit changed(side, true);
+  emit changed(side, !is_shown);
   if (answer.state == RasterState::kChanged)
     emit problem({RasterProblem::Kind::kChanged, side, map, raster.metadata.image,
                   tr("%1 is not the image this project was made with; check that the anchors still fit")

@@ -38,7 +38,8 @@ class RasterStore : public QObject {
   explicit RasterStore(ProjectDocument& document, QObject* parent = nullptr);
   ~RasterStore() override;
 
-  /// Null or empty until loaded. The SLAM map is the current one.
+  /// Null or empty until loaded; the frame and the picture of a large image come before its grid. The SLAM map is the
+  /// current one.
   [[nodiscard]] const std::optional<MapFrame>& frame(Side side) const { return at(side).frame; }
   [[nodiscard]] const std::shared_ptr<TilePyramid>& picture(Side side) const { return at(side).picture; }
   [[nodiscard]] const std::shared_ptr<const OccupancyGrid>& grid(Side side) const { return at(side).grid; }
@@ -78,6 +79,7 @@ class RasterStore : public QObject {
   void reframe(Side side, const MapMetadata& metadata);
   void load(Side side, const ProjectRaster& raster, const std::string& map);
   void read(Side side, const ProjectRaster& raster, const std::string& map);
+  void showEarly(Side side, int ticket, const ProjectRaster& raster, const MapFrame& frame);
   void take(Side side, int ticket, const ProjectRaster& raster, const std::string& map, const Answer& answer);
 
   ProjectDocument& document_;

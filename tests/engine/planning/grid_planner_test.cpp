@@ -85,6 +85,7 @@ class GridPlannerTest : public QObject {
   void optimalOnRandomGrids_data();
   void optimalOnRandomGrids();
   void straightThroughAnEmptyHall();
+  void aLargeMapIsSearchedOnACoarserGrid();
   void aroundACorner();
   void keepsClearWhereThereIsRoom();
   void radiusClosesNarrowDoors();
@@ -143,6 +144,22 @@ void GridPlannerTest::straightThroughAnEmptyHall() {
   const Result<PlannedPath> path = planPath(grid, start, goal, shortestPath());
   QVERIFY(path);
   QVERIFY(std::abs(path->length_m - (goal - start).norm()) < 1e-9);
+}
+
+void GridPlannerTest::aLargeMapIsSearchedOnACoarserGrid() {
+  cv::Mat states(2000, 15'000, CV_8UC1, cv::Scalar(kFree));  // 150 x 20 m, 30 million pixels
+  states.col(7000).setTo(kOccupied);                         // a wall of one pixel,
+  states(cv::Rect(7000, 1801, 1, 90)).setTo(kFree);          // and a door of 0.9 m
+  const OccupancyGrid grid(*MapFrame::create(0.01, states.cols, states.rows, {{5.0, -3.0}, 0.2}), states);
+  const Eigen::Vector2d start = grid.frame().metricFromPixel({6500.3, 300.7});
+  const Eigen::Vector2d goal = grid.frame().metricFromPixel({7500.2, 310.1});
+  const Result<PlannedPath> path = planPath(grid, start, goal, shortestPath());
+  QVERIFY(path);
+  QVERIFY(path->poses.front().translation == start && path->poses.back().translation == goal);
+  for (const Pose2& pose : path->poses) QCOMPARE(grid.at(pose.translation), CellState::kFree);
+  const Eigen::Vector2d door = grid.frame().metricFromPixel({7000.5, 1801.0});
+  const double through_door = (door - start).norm() + (goal - door).norm();
+  QVERIFY(path->length_m >= through_door && path->length_m < through_door * 1.02);
 }
 
 void GridPlannerTest::aroundACorner() {
