@@ -23,6 +23,10 @@ bool samePixels(const MapMetadata& a, const MapMetadata& b) {
          a.occupied_threshold == b.occupied_threshold && a.free_threshold == b.free_threshold;
 }
 
+bool isLarge(const MapFrame& frame) {
+  return std::int64_t{frame.width()} * frame.height() > 16'000'000;
+}
+
 }  // namespace
 
 struct RasterStore::Answer {
@@ -110,8 +114,9 @@ void RasterStore::read(Side side, const ProjectRaster& raster, const std::string
     const Result<void> done = guarded([&]() -> Result<void> {
       answer.state = checkRaster(raster);
       if (want_grid) {
-        // The picture is shown as soon as its frame is known; to find what is free takes seconds for a large one.
-        if (const Result<MapFrame> frame = readMapFrame(raster.metadata)) {
+        // A large picture is shown as soon as its frame is known: to find what is free takes seconds then. A small one
+        // comes with its grid, so that the window is painted once, and when the processors are free.
+        if (const Result<MapFrame> frame = readMapFrame(raster.metadata); frame && isLarge(*frame)) {
           QMetaObject::invokeMethod(
               this, [=, this, frame = *frame] { showEarly(side, ticket, raster, frame); }, Qt::QueuedConnection);
         }

@@ -6,6 +6,7 @@
 
 #include <vector>
 
+#include "support/temporary_folder.h"
 #include "ui/document/project_commands.h"
 
 using namespace cad2slam;
@@ -14,7 +15,7 @@ class RasterStoreTest : public QObject {
   Q_OBJECT
 
  private slots:
-  void theBlueprintIsShownBeforeItsCellsAreKnown() {
+  void aLargeBlueprintIsShownBeforeItsCellsAreKnown() {
     ProjectDocument document;
     RasterStore store(document);
     struct Seen {
@@ -27,8 +28,10 @@ class RasterStoreTest : public QObject {
       if (side != Side::kBlueprint) return;
       seen.push_back({store.frame(side).has_value(), store.grid(side) != nullptr, new_picture});
     });
+    const test::TemporaryFolder folder;
     ProjectRaster raster;
-    raster.metadata = readMapYaml(CAD2SLAM_SAMPLE_MAPS "/office/blueprint.yaml")->metadata;
+    raster.metadata.image = folder.path("large.png");
+    QVERIFY(writePicture(raster.metadata.image, cv::Mat(4100, 4100, CV_8UC1, cv::Scalar(254))).has_value());
     edit::setBlueprint(document, raster);
     QTRY_VERIFY_WITH_TIMEOUT(store.grid(Side::kBlueprint) && !store.isLoading(), 60'000);
     QCOMPARE(seen.size(), std::size_t{3});
