@@ -59,9 +59,11 @@ Result<SolveInputs> inputsFromFiles(const std::filesystem::path& blueprint, cons
   inputs.slam = std::move(slam_yaml->metadata);
   inputs.slam_name = mapName(inputs.slam);
   inputs.anchors = std::move(read->anchors);
-  for (const std::string& warning : blueprint_yaml->warnings)
-    inputs.warnings.push_back(blueprint.string() + ": " + warning);
-  for (const std::string& warning : slam_yaml->warnings) inputs.warnings.push_back(slam.string() + ": " + warning);
+  const auto tell = [&inputs](const std::filesystem::path& file, const std::vector<std::string>& warnings) {
+    for (const std::string& warning : warnings) inputs.warnings.push_back(file.string() + ": " + warning);
+  };
+  tell(blueprint, blueprint_yaml->warnings);
+  tell(slam, slam_yaml->warnings);
   for (const RejectedLine& line : read->rejected) {
     inputs.warnings.push_back(anchors.string() + ":" + std::to_string(line.line) + ": line skipped: " + line.reason +
                               ".");

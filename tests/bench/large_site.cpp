@@ -15,6 +15,8 @@
 #include "cad2slam/io/anchors_csv.h"
 #include "cad2slam/io/atomic_file.h"
 #include "cad2slam/io/map_file.h"
+#include "cad2slam/io/map_yaml.h"
+#include "cad2slam/projection/overlay_picture.h"
 #include "cad2slam/simulation/site_generator.h"
 
 namespace {
@@ -28,15 +30,6 @@ constexpr int kWallStep_px = 3;  // walls are drawn into the SLAM map from every
 int tell(const Error& error) {
   std::fprintf(stderr, "large_site: %s\n", error.sentence().c_str());
   return 1;
-}
-
-cv::Mat pictureOf(const OccupancyGrid& grid) {
-  cv::Mat table(1, 256, CV_8UC1, cv::Scalar(205));
-  table.at<std::uint8_t>(static_cast<int>(CellState::kFree)) = 254;
-  table.at<std::uint8_t>(static_cast<int>(CellState::kOccupied)) = 0;
-  cv::Mat picture;
-  cv::LUT(grid.states(), table, picture);
-  return picture;
 }
 
 cv::Mat slamPictureOf(const GeneratedSite& site, const OccupancyGrid& blueprint, const MapFrame& frame) {
@@ -76,12 +69,8 @@ int write(const std::filesystem::path& folder, int blueprint_px, int slam_px, in
 
   std::filesystem::create_directories(folder);
   // writeMap() writes PNG and PGM; a TIFF is what a plan office sends.
-  if (!cv::imwrite((folder / "blueprint.tif").string(), pictureOf(drawing))) return 1;
-  if (const auto done = writeMap(folder / "blueprint.yaml", "small.png", cv::Mat(1, 1, CV_8UC1), blueprint); !done)
-    return tell(done.error());
-  std::filesystem::remove(folder / "small.png");
-  std::string yaml = *readFile(folder / "blueprint.yaml", 4096);
-  yaml.replace(yaml.find("small.png"), 9, "blueprint.tif");
+  if (!cv::imwrite((folder / "blueprint.tif").string(), trinaryPicture(drawing))) return 1;
+  const std::string yaml = formatMapYaml(blueprint, "blueprint.tif");
   if (const auto done = writeFileAtomically(folder / "blueprint.yaml", yaml); !done) return tell(done.error());
 
   const Pose2 corner = {{-40.0, -10.0}, 0.0};

@@ -277,15 +277,20 @@ Result<ImageHeader> readImageHeader(const std::filesystem::path& image, ImageChe
   if (head->empty()) return file.malformed("is empty");
 
   const auto begins = [&head](std::string_view magic) { return head->compare(0, magic.size(), magic) == 0; };
-  if (begins("\x89PNG\r\n\x1a\n")) return readPng(file, check);
-  if (begins("\xff\xd8")) return readJpeg(file);
-  if (begins("BM")) return readBmp(file);
-  if (begins(std::string_view("II*\0", 4))) return readTiff(file, ByteOrder::kLittle, false);
-  if (begins(std::string_view("MM\0*", 4))) return readTiff(file, ByteOrder::kBig, false);
-  if (begins(std::string_view("II+\0", 4))) return readTiff(file, ByteOrder::kLittle, true);
-  if (begins(std::string_view("MM\0+", 4))) return readTiff(file, ByteOrder::kBig, true);
+  const auto as = [](ImageFormat format, Result<ImageHeader> header) {
+    if (header) header->format = format;
+    return header;
+  };
+  const auto tiff = [&](ByteOrder order, bool is_big) { return as(ImageFormat::kTiff, readTiff(file, order, is_big)); };
+  if (begins("\x89PNG\r\n\x1a\n")) return as(ImageFormat::kPng, readPng(file, check));
+  if (begins("\xff\xd8")) return as(ImageFormat::kJpeg, readJpeg(file));
+  if (begins("BM")) return as(ImageFormat::kBmp, readBmp(file));
+  if (begins(std::string_view("II*\0", 4))) return tiff(ByteOrder::kLittle, false);
+  if (begins(std::string_view("MM\0*", 4))) return tiff(ByteOrder::kBig, false);
+  if (begins(std::string_view("II+\0", 4))) return tiff(ByteOrder::kLittle, true);
+  if (begins(std::string_view("MM\0+", 4))) return tiff(ByteOrder::kBig, true);
   if (head->size() >= 3 && (*head)[0] == 'P' && (*head)[1] >= '1' && (*head)[1] <= '6')
-    return readPnm(file, (*head)[1]);
+    return as(ImageFormat::kPnm, readPnm(file, (*head)[1]));
   return file.malformed("is no image that can be read: PGM, PNG, JPG, BMP and TIFF can");
 }
 

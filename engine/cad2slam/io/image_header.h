@@ -9,12 +9,15 @@
 
 namespace cad2slam {
 
+enum class ImageFormat { kBmp, kJpeg, kPng, kPnm, kTiff };
+
 /// What an image file says of itself before a pixel is decoded.
 struct ImageHeader {
   std::uint64_t width_px = 0;
   std::uint64_t height_px = 0;
   /// Sample value of full brightness in the decoded raster where it is not the largest of its type (PGM's maxval).
   std::uint32_t full_brightness = 0;
+  ImageFormat format = ImageFormat::kPnm;
   char pnm_kind = 0;            ///< of a PNM file: '1' to '6', as behind its P; else 0
   std::uint64_t pixels_at = 0;  ///< [byte] where the pixels of a binary PNM file begin
 };

@@ -20,14 +20,10 @@ class JpegRows : public PictureRows {
     if (file_ != nullptr) std::fclose(file_);
   }
 
-  /// False when the file is not a JPEG that can be read row by row.
+  /// False when the file cannot be read row by row.
   bool start() {
     file_ = std::fopen(image().c_str(), "rb");
     if (file_ == nullptr) return false;
-    std::array<unsigned char, 2> magic{};
-    if (std::fread(magic.data(), 1, magic.size(), file_) != magic.size()) return false;
-    if (magic[0] != 0xff || magic[1] != 0xd8) return false;
-    std::rewind(file_);
     jpeg_.err = jpeg_std_error(&errors_);
     errors_.error_exit = &JpegRows::onError;
     errors_.emit_message = [](j_common_ptr, int) {};
@@ -53,7 +49,7 @@ class JpegRows : public PictureRows {
 
   Result<void> decode(int /*first*/, cv::Mat& rows) override {
     for (int row = 0; row < rows.rows; ++row) {
-      if (!readRow(rows.ptr(row))) return fail(ErrorCode::kMalformed, "is a damaged image: " + message_, image());
+      if (!readRow(rows.ptr(row))) return damaged(message_);
     }
     return {};
   }
@@ -82,8 +78,7 @@ class JpegRows : public PictureRows {
 }  // namespace
 
 std::unique_ptr<PictureRows> openJpegRows(const std::filesystem::path& image) {
-  auto rows = std::make_unique<JpegRows>(image);
-  return rows->start() ? std::move(rows) : nullptr;
+  return startedRows<JpegRows>(image);
 }
 
 }  // namespace cad2slam

@@ -12,9 +12,6 @@
 #include <opencv2/core.hpp>
 #include <opencv2/imgcodecs.hpp>
 
-#include <algorithm>
-#include <new>
-
 namespace cad2slam {
 namespace {
 

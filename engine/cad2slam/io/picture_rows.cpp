@@ -58,10 +58,19 @@ Result<cv::Mat> decodeWhole(const fs::path& image, const ImageHeader& header) {
 }
 
 std::unique_ptr<PictureRows> openByRows(const fs::path& image, const ImageHeader& header) {
-  for (const auto open : {&openPngRows, &openTiffRows, &openJpegRows}) {
-    if (std::unique_ptr<PictureRows> rows = open(image)) return rows;
+  switch (header.format) {
+    case ImageFormat::kPng:
+      return openPngRows(image);
+    case ImageFormat::kJpeg:
+      return openJpegRows(image);
+    case ImageFormat::kTiff:
+      return openTiffRows(image);
+    case ImageFormat::kPnm:
+      return openPnmRows(image, header);
+    case ImageFormat::kBmp:
+      break;
   }
-  return openPnmRows(image, header);
+  return nullptr;
 }
 
 }  // namespace
@@ -77,6 +86,11 @@ Result<std::unique_ptr<PictureRows>> PictureRows::open(const fs::path& image) {
   }
   rows->full_brightness_ = header->full_brightness;
   return rows;
+}
+
+tl::unexpected<Error> PictureRows::damaged(const std::string& reason) const {
+  return fail(ErrorCode::kMalformed,
+              reason.empty() ? std::string("is a damaged image") : "is a damaged image: " + reason, image_);
 }
 
 Result<cv::Mat> PictureRows::read(int count) {

@@ -44,6 +44,8 @@ class PictureRows {
     type_ = type;
   }
   [[nodiscard]] const std::string& image() const { return image_; }
+  /// Where the decoder cannot go on; `reason` in its own words, empty when it has none.
+  [[nodiscard]] tl::unexpected<Error> damaged(const std::string& reason) const;
 
   /// Fills `rows`, the first of which is `first` of the picture. They are asked for in order, each once.
   [[nodiscard]] virtual Result<void> decode(int first, cv::Mat& rows) = 0;

@@ -23,13 +23,10 @@ class PngRows : public PictureRows {
     if (file_ != nullptr) std::fclose(file_);
   }
 
-  /// False when the file is not a PNG that can be read row by row.
+  /// False when the file cannot be read row by row.
   bool start() {
     file_ = std::fopen(image().c_str(), "rb");
     if (file_ == nullptr) return false;
-    png_byte signature[8] = {};
-    if (std::fread(signature, 1, sizeof signature, file_) != sizeof signature) return false;
-    if (png_sig_cmp(signature, 0, sizeof signature) != 0) return false;
     png_ = png_create_read_struct(PNG_LIBPNG_VER_STRING, this, &PngRows::onError, &PngRows::onWarning);
     info_ = png_ == nullptr ? nullptr : png_create_info_struct(png_);
     return info_ != nullptr && readHeader();
@@ -39,7 +36,6 @@ class PngRows : public PictureRows {
   bool readHeader() {
     if (setjmp(png_jmpbuf(png_)) != 0) return false;
     png_init_io(png_, file_);
-    png_set_sig_bytes(png_, 8);
     png_set_user_limits(png_, kLongestSide, kLongestSide);
     png_read_info(png_, info_);
     if (png_get_interlace_type(png_, info_) != PNG_INTERLACE_NONE) return false;
@@ -61,7 +57,7 @@ class PngRows : public PictureRows {
     row_pointers_.resize(static_cast<std::size_t>(rows.rows));
     for (int row = 0; row < rows.rows; ++row) row_pointers_[static_cast<std::size_t>(row)] = rows.ptr(row);
     if (readRows(static_cast<png_uint_32>(rows.rows))) return {};
-    return fail(ErrorCode::kMalformed, "is a damaged image: " + message_, image());
+    return damaged(message_);
   }
 
   bool readRows(png_uint_32 count) {
@@ -86,8 +82,7 @@ class PngRows : public PictureRows {
 }  // namespace
 
 std::unique_ptr<PictureRows> openPngRows(const std::filesystem::path& image) {
-  auto rows = std::make_unique<PngRows>(image);
-  return rows->start() ? std::move(rows) : nullptr;
+  return startedRows<PngRows>(image);
 }
 
 }  // namespace cad2slam

@@ -23,7 +23,7 @@ class TiffRows : public PictureRows {
     if (tiff_ != nullptr) TIFFClose(tiff_);
   }
 
-  /// False when the file is not a TIFF that can be read row by row.
+  /// False when the file cannot be read row by row.
   bool start() {
     TIFFOpenOptions* options = TIFFOpenOptionsAlloc();
     if (options == nullptr) return false;
@@ -95,9 +95,7 @@ class TiffRows : public PictureRows {
 
   Result<void> decode(int first, cv::Mat& rows) override {
     for (int row = 0; row < rows.rows; ++row) {
-      if (decodeRow(static_cast<std::uint32_t>(first + row), rows.ptr(row))) continue;
-      return fail(ErrorCode::kMalformed,
-                  message_.empty() ? std::string("is a damaged image") : "is a damaged image: " + message_, image());
+      if (!decodeRow(static_cast<std::uint32_t>(first + row), rows.ptr(row))) return damaged(message_);
     }
     return {};
   }
@@ -179,8 +177,7 @@ class TiffRows : public PictureRows {
 }  // namespace
 
 std::unique_ptr<PictureRows> openTiffRows(const std::filesystem::path& image) {
-  auto rows = std::make_unique<TiffRows>(image);
-  return rows->start() ? std::move(rows) : nullptr;
+  return startedRows<TiffRows>(image);
 }
 
 }  // namespace cad2slam

@@ -49,6 +49,12 @@ class ImageHeaderTest : public QObject {
       QVERIFY2(header, header ? "" : header.error().sentence().c_str());
       QCOMPARE(header->width_px, std::uint64_t{17});
       QCOMPARE(header->height_px, std::uint64_t{11});
+      const bool is_pnm = path.extension() == ".pgm" || path.extension() == ".ppm";
+      QCOMPARE(header->format == ImageFormat::kPnm, is_pnm);
+      QCOMPARE(header->format == ImageFormat::kPng, path.extension() == ".png");
+      QCOMPARE(header->format == ImageFormat::kJpeg, path.extension() == ".jpg");
+      QCOMPARE(header->format == ImageFormat::kTiff, path.extension() == ".tif");
+      QCOMPARE(header->format == ImageFormat::kBmp, path.extension() == ".bmp");
     }
   }
 
