@@ -3083,6 +3083,10 @@ Karten-YAML, PGM, PNG oder TIFF</translation>
         <source>%1 (stopped)</source>
         <translation>%1 (angehalten)</translation>
     </message>
+    <message>
+        <source>Loading the images...</source>
+        <translation>Bilder werden geladen...</translation>
+    </message>
 </context>
 <context>
     <name>cad2slam::ProjectFiles</name>

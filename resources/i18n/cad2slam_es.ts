@@ -3083,6 +3083,10 @@ YAML de mapa, PGM, PNG o TIFF</translation>
         <source>%1 (stopped)</source>
         <translation>%1 (detenido)</translation>
     </message>
+    <message>
+        <source>Loading the images...</source>
+        <translation>Cargando las imágenes...</translation>
+    </message>
 </context>
 <context>
     <name>cad2slam::ProjectFiles</name>

@@ -76,6 +76,8 @@ QString PreviewWiring::reason() const {
   if (!session_.isReady()) return tr("Load a blueprint and a SLAM map first");
   if (session_.alignment().result()) return {};
   switch (session_.alignment().status()) {
+    case AlignmentStatus::kNotReady:  // a large blueprint is shown before its cells are known
+      return tr("Loading the images...");
     case AlignmentStatus::kNoAnchors:
       return tr("Nothing to lay over it yet: place an anchor in both views");
     case AlignmentStatus::kFailed:

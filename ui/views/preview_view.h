@@ -39,6 +39,7 @@ class PreviewView : public MapView {
   void setInks(std::vector<InkEntry> inks);
   /// Why nothing is laid over the base, or empty.
   void setReason(const QString& reason);
+  [[nodiscard]] const QString& reason() const { return reason_; }
   /// Why the picture is not that of the project as it is, or empty.
   void setNotCurrent(const QString& reason);
   /// Whether the other map lies there only roughly: an overlay is drawn faint then.

@@ -50,6 +50,27 @@ class LookingTest : public QObject {
   std::optional<test::Sandbox> sandbox_;
 
  private slots:
+  void scenario24_aLargeBlueprintIsShownWhileItsCellsAreRead() {
+    const test::Sandbox sandbox;
+    const QString image = sandbox.path(QStringLiteral("large.png"));
+    QImage white(5000, 5000, QImage::Format_Grayscale8);
+    white.fill(Qt::white);
+    QVERIFY(white.save(image));
+    OfficeWindow office(false);
+    QVERIFY(office.window.files().setImage(Side::kSlam, OfficeWindow::sample("slam_1.yaml")));
+    QVERIFY(QTest::qWaitFor([&] { return office.session().rasters().frame(Side::kSlam).has_value(); }, 30'000));
+    edit::addAnchor(office.document(), {5.0, 5.0}, {0.0, 0.0});
+    QStringList reasons;
+    connect(&office.session().rasters(), &RasterStore::changed, this, [&](Side side) {
+      const RasterStore& rasters = office.session().rasters();
+      if (side == Side::kBlueprint && rasters.frame(side) && !rasters.grid(side))
+        reasons += office.window.preview().view().reason();
+    });
+    QVERIFY(office.window.files().setImage(Side::kBlueprint, image, 0.01));
+    QVERIFY(office.waitUntilReady());
+    QCOMPARE(reasons, QStringList{QStringLiteral("Loading the images...")});
+  }
+
   void init() { sandbox_.emplace(); }
 
   void scenario15_everyPreviewModeWithAnyNumberOfAnchors_data() {
