@@ -125,7 +125,6 @@ class MeshSolver::Impl {
 
   std::shared_ptr<const Mesh> mesh_;
   SolverBackend backend_;
-  std::vector<NodeIndex> node_order_;
   NormalMatrix normal_;
   std::unique_ptr<StiffnessScout> scout_;
   std::optional<Stiffness> last_choice_;
@@ -194,8 +193,7 @@ Result<Solution> MeshSolver::Impl::solveMesh(const AnchorList& anchors, const So
   global_fit_ = global_fit;
   objective_ = buildObjective(*mesh_, anchors, solution.settings, global_fit);
   active_number_ = activeNumbers(objective_, mesh_->nodeCount());
-  if (node_order_.empty()) node_order_ = fillReducingOrder(*mesh_);
-  if (!normal_.analyse(objective_, node_order_)) {
+  if (!normal_.analyse(objective_)) {
     return fail(ErrorCode::kInternal,
                 "the mesh of " + std::to_string(mesh_->nodeCount()) +
                     " nodes is too large for the memory of this computer; choose a larger cell size");

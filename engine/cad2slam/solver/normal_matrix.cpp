@@ -74,33 +74,30 @@ Couplings couplingsOf(const Objective& objective) {
   return couplings;
 }
 
-}  // namespace
-
-std::vector<NodeIndex> fillReducingOrder(const Mesh& mesh) {
-  std::vector<NodeIndex> order(mesh.nodeCount());
-  std::iota(order.begin(), order.end(), 0U);
-  Session session;
-  cholmod_common* common = session.get();
-  const auto n = mesh.nodeCount();
-  cholmod_triplet* triplets = cholmod_allocate_triplet(n, n, mesh.edges().size() + n, -1, CHOLMOD_PATTERN, common);
-  if (triplets == nullptr) return order;
-  auto* rows = static_cast<int*>(triplets->i);
-  auto* columns = static_cast<int*>(triplets->j);
-  for (const MeshEdge& edge : mesh.edges()) {
-    rows[triplets->nnz] = static_cast<int>(std::max(edge.from, edge.to));
-    columns[triplets->nnz++] = static_cast<int>(std::min(edge.from, edge.to));
+/// An order of the nodes that keeps L sparse: approximate minimum degree of all couplings, in 1 ms for 4 000 nodes.
+/// Nested dissection of the mesh alone takes twenty times as long and overlooks that each anchor ties nine nodes
+/// together: with 200 anchors in an open plan, L takes eight times the arithmetic. Empty: out of memory.
+std::vector<int> fillReducingOrder(const Couplings& couplings, cholmod_common* common) {
+  std::size_t entries = 0;
+  for (const auto& larger : couplings) entries += larger.size();
+  cholmod_sparse* graph =
+      cholmod_allocate_sparse(couplings.size(), couplings.size(), entries, 1, 1, -1, CHOLMOD_PATTERN, common);
+  if (graph == nullptr) return {};
+  auto* starts = static_cast<int*>(graph->p);
+  auto* rows = static_cast<int*>(graph->i);
+  int at = 0;
+  for (std::size_t node = 0; node < couplings.size(); ++node) {
+    starts[node] = at;
+    for (const std::uint32_t larger : couplings[node]) rows[at++] = static_cast<int>(larger);
   }
-  cholmod_sparse* graph = cholmod_triplet_to_sparse(triplets, triplets->nnz, common);
-  cholmod_free_triplet(&triplets, common);
-  if (graph == nullptr) return order;
-  std::vector<int> permutation(n);
-  if (cholmod_metis(graph, nullptr, 0, 1, permutation.data(), common) != 0) {
-    std::transform(permutation.begin(), permutation.end(), order.begin(),
-                   [](int node) { return static_cast<NodeIndex>(node); });
-  }
+  starts[couplings.size()] = at;
+  std::vector<int> order(couplings.size());
+  if (cholmod_amd(graph, nullptr, 0, order.data(), common) == 0) order.clear();
   cholmod_free_sparse(&graph, common);
   return order;
 }
+
+}  // namespace
 
 class NormalMatrix::Impl {
  public:
@@ -109,10 +106,11 @@ class NormalMatrix::Impl {
   Impl(const Impl&) = delete;
   Impl& operator=(const Impl&) = delete;
 
-  bool analyse(const Objective& objective, const std::vector<NodeIndex>& node_order);
+  bool analyse(const Objective& objective);
   bool factorise(const Objective& objective, const double* x, double damping);
   bool solve(const Eigen::VectorXd& right, Eigen::VectorXd& solution);
   [[nodiscard]] std::vector<Eigen::Matrix4d> inverseForms(const std::vector<SparseColumns>& forms) const;
+  [[nodiscard]] double operations() const { return operations_; }
   void forgetFactor() { factorised_ = false; }
   [[nodiscard]] bool hasFactor(std::size_t size) const { return factorised_ && matrix_->nrow == size; }
 
@@ -138,11 +136,11 @@ class NormalMatrix::Impl {
 
   Session session_;
   Couplings couplings_;
-  std::vector<NodeIndex> active_nodes_;
   int unknowns_ = 0;
   cholmod_sparse* matrix_ = nullptr;
   cholmod_factor* factor_ = nullptr;
   bool factorised_ = false;
+  double operations_ = 0.0;
   std::vector<int> inverse_permutation_;
   std::vector<int> column_supernode_;
   mutable std::array<FormWorkspace, 2> form_workspaces_;  // one for each thread
@@ -184,29 +182,24 @@ void NormalMatrix::Impl::layOut(const Objective& objective) {
   starts[n] = at;
 }
 
-bool NormalMatrix::Impl::analyse(const Objective& objective, const std::vector<NodeIndex>& node_order) {
+bool NormalMatrix::Impl::analyse(const Objective& objective) {
   Couplings couplings = couplingsOf(objective);
-  if (factor_ != nullptr && unknowns_ == objective.unknowns && active_nodes_ == objective.active_nodes &&
-      couplings == couplings_) {
-    return true;
-  }
+  if (factor_ != nullptr && unknowns_ == objective.unknowns && couplings == couplings_) return true;
   clear();
   couplings_ = std::move(couplings);
-  active_nodes_ = objective.active_nodes;
   unknowns_ = objective.unknowns;
   layOut(objective);
-  if (matrix_ == nullptr) return false;
+  const std::vector<int> node_order = fillReducingOrder(couplings_, session_.get());
+  if (matrix_ == nullptr || node_order.empty()) return false;
 
-  std::vector<int> active_number(node_order.size(), -1);
-  for (std::size_t k = 0; k < active_nodes_.size(); ++k) active_number[active_nodes_[k]] = static_cast<int>(k);
   std::vector<int> permutation;
   permutation.reserve(objective.size());
-  for (const NodeIndex node : node_order) {
-    if (active_number[node] < 0) continue;
-    for (int q = 0; q < unknowns_; ++q) permutation.push_back(active_number[node] * unknowns_ + q);
+  for (const int node : node_order) {
+    for (int q = 0; q < unknowns_; ++q) permutation.push_back(node * unknowns_ + q);
   }
   factor_ = cholmod_analyze_p(matrix_, permutation.data(), nullptr, 0, session_.get());
   if (factor_ == nullptr || factor_->is_super == 0) return false;
+  operations_ = session_.get()->fl;
 
   inverse_permutation_.resize(factor_->n);
   const auto* order = static_cast<const int*>(factor_->Perm);
@@ -423,8 +416,11 @@ NormalMatrix::~NormalMatrix() = default;
 NormalMatrix::NormalMatrix(NormalMatrix&&) noexcept = default;
 NormalMatrix& NormalMatrix::operator=(NormalMatrix&&) noexcept = default;
 
-bool NormalMatrix::analyse(const Objective& objective, const std::vector<NodeIndex>& node_order) {
-  return impl_->analyse(objective, node_order);
+bool NormalMatrix::analyse(const Objective& objective) {
+  return impl_->analyse(objective);
+}
+double NormalMatrix::operations() const {
+  return impl_->operations();
 }
 bool NormalMatrix::factorise(const Objective& objective, const double* x, double damping) {
   return impl_->factorise(objective, x, damping);

@@ -7,13 +7,9 @@
 #include <memory>
 #include <vector>
 
-#include "cad2slam/mesh/mesh.h"
 #include "cad2slam/solver/objective.h"
 
 namespace cad2slam {
-
-/// A fill-reducing order of the nodes of a mesh: nested dissection of its graph. Depends on the mesh only.
-[[nodiscard]] std::vector<NodeIndex> fillReducingOrder(const Mesh& mesh);
 
 /// The Gauss-Newton matrix J^T W J of an objective and its sparse Cholesky factor L (CHOLMOD, supernodal).
 /// The sparsity pattern and its analysis are kept as long as the couplings between nodes stay the same.
@@ -24,8 +20,11 @@ class NormalMatrix {
   NormalMatrix(NormalMatrix&&) noexcept;
   NormalMatrix& operator=(NormalMatrix&&) noexcept;
 
-  /// Prepares for the couplings of `objective`; `node_order` lists mesh nodes, active or not. False: out of memory.
-  [[nodiscard]] bool analyse(const Objective& objective, const std::vector<NodeIndex>& node_order);
+  /// Prepares for the couplings of `objective`: orders its nodes so that L stays sparse. False: out of memory.
+  [[nodiscard]] bool analyse(const Objective& objective);
+
+  /// Floating-point operations of one factorisation, as analysed.
+  [[nodiscard]] double operations() const;
 
   /// Evaluates at `x` and factorises J^T W J + damping * diag(J^T W J). False where that is not positive definite.
   [[nodiscard]] bool factorise(const Objective& objective, const double* x, double damping);
