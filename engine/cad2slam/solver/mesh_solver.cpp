@@ -110,7 +110,7 @@ class MeshSolver::Impl {
   Result<Solution> solveWithChosenStiffness(const AnchorList& anchors, const SolverSettings& settings,
                                             const Similarity2& global_fit, const Solution* warm_start,
                                             const IterationCallback& on_iteration);
-  void mixInPlate(const AnchorList& anchors, Solution& solution);
+  void mixInPlate(const AnchorList& anchors, ThinPlateFit plate, Solution& solution);
   void mixInGlobalFit(const AnchorList& anchors, Solution& solution) const;
   void updateFits(const AnchorList& anchors, double share, const std::vector<Vector2d>& leave_one_out,
                   Solution& solution) const;
@@ -152,13 +152,7 @@ Result<Solution> MeshSolver::Impl::solve(const AnchorList& anchors, const Solver
     if (settings.model != Model::kStretch || settings.stiffness != Stiffness::kAutomatic) {
       return solveMesh(anchors, withStiffness(settings, settings.stiffness), *global_fit, warm_start, on_iteration);
     }
-    Result<Solution> solution = solveWithChosenStiffness(anchors, settings, *global_fit, warm_start, on_iteration);
-    if (!solution) return solution;
-    Stopwatch stopwatch;
-    mixInPlate(anchors, *solution);
-    mixInGlobalFit(anchors, *solution);
-    solution->seconds.diagnosis += stopwatch.lap();
-    return solution;
+    return solveWithChosenStiffness(anchors, settings, *global_fit, warm_start, on_iteration);
   }
 
   Solution solution = rigidSolution(*mesh_, *global_fit);
@@ -250,35 +244,43 @@ Result<Solution> MeshSolver::Impl::solveWithChosenStiffness(const AnchorList& an
   const auto solveWith = [&](Stiffness stiffness) {
     return solveMesh(anchors, withStiffness(settings, stiffness), global_fit, warm_start, on_iteration);
   };
-  const auto choose = [&] {
-    const OneThread one_thread;
-    return scout_->choose(anchors, settings);
+  struct Aside {  // what does not need the mesh
+    Stiffness stiffness;
+    Result<ThinPlateFit> plate;
   };
-  std::future<Stiffness> choosing;
-  if (warm_start != nullptr && last_choice_) choosing = onSecondThread(choose);
-  if (!choosing.valid()) {
-    last_choice_ = choose();
-    return solveWith(*last_choice_);
-  }
-  const Stiffness expected = *last_choice_;
-  Result<Solution> solution = solveWith(expected);
-  last_choice_ = choosing.get();
-  return *last_choice_ == expected ? std::move(solution) : solveWith(*last_choice_);
+  const auto workAside = [&] {
+    const OneThread one_thread;
+    const Stiffness stiffness = scout_->choose(anchors, settings);
+    return Aside{stiffness, ThinPlateFit::create(enabledPairs(anchors), settings.loss_width_m)};
+  };
+  std::future<Aside> working;
+  if (warm_start != nullptr && last_choice_) working = onSecondThread(workAside);
+  std::optional<Result<Solution>> expected;
+  if (working.valid()) expected = solveWith(*last_choice_);
+  Aside aside = working.valid() ? working.get() : workAside();
+  const bool is_expected = expected && aside.stiffness == *last_choice_;
+  last_choice_ = aside.stiffness;
+  Result<Solution> solution = is_expected ? std::move(*expected) : solveWith(*last_choice_);
+  if (!solution) return solution;
+
+  Stopwatch stopwatch;
+  if (aside.plate) mixInPlate(anchors, std::move(*aside.plate), *solution);
+  mixInGlobalFit(anchors, *solution);
+  solution->seconds.diagnosis += stopwatch.lap();
+  return solution;
 }
 
 /// Moves every node that an anchor holds part of the way to a thin plate, unless that brings nothing or it folds. What
 /// is left of the plate's shear between nodes cancels in the projector's blend, which is exact for affine maps.
-void MeshSolver::Impl::mixInPlate(const AnchorList& anchors, Solution& solution) {
-  Result<ThinPlateFit> plate = ThinPlateFit::create(enabledPairs(anchors), solution.settings.loss_width_m);
-  if (!plate) return;
-  const double share = plateShare(anchors, solution, *plate);
-  if (share == 0.0 || !mixIn(*plate, share, *mesh_, objective_.active_nodes, solution)) return;
-  updateFits(anchors, share, plate->leaveOneOut(), solution);
+void MeshSolver::Impl::mixInPlate(const AnchorList& anchors, ThinPlateFit plate, Solution& solution) {
+  const double share = plateShare(anchors, solution, plate);
+  if (share == 0.0 || !mixIn(plate, share, *mesh_, objective_.active_nodes, solution)) return;
+  updateFits(anchors, share, plate.leaveOneOut(), solution);
   std::size_t used = 0;
   for (AnchorFit& fit : solution.anchors) {
-    if (fit.used) fit.loss_weight = (1.0 - share) * fit.loss_weight + share * plate->weights()[used++];
+    if (fit.used) fit.loss_weight = (1.0 - share) * fit.loss_weight + share * plate.weights()[used++];
   }
-  plate_ = std::move(*plate);
+  plate_ = std::move(plate);
   plate_share_ = share;
 }
 

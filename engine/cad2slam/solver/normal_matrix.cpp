@@ -32,8 +32,8 @@ class Session {
     common_.error_handler = nullptr;
     common_.supernodal = CHOLMOD_SUPERNODAL;
     common_.nmethods = 1;
-    common_.method[0].ordering = CHOLMOD_GIVEN;
-    common_.postorder = 1;
+    common_.method[0].ordering = CHOLMOD_NATURAL;  // the matrix comes in its order of elimination
+    common_.postorder = 0;
     common_.final_ll = 1;
     // Supernodes of eight to two dozen mesh nodes, with some zeros in them. CHOLMOD's own choice is made for one
     // unknown a node: three times as many supernodes, whose bookkeeping then takes longer than the arithmetic.
@@ -74,27 +74,49 @@ Couplings couplingsOf(const Objective& objective) {
   return couplings;
 }
 
-/// An order of the nodes that keeps L sparse: approximate minimum degree of all couplings, in 1 ms for 4 000 nodes.
-/// Nested dissection of the mesh alone takes twenty times as long and overlooks that each anchor ties nine nodes
-/// together: with 200 anchors in an open plan, L takes eight times the arithmetic. Empty: out of memory.
-std::vector<int> fillReducingOrder(const Couplings& couplings, cholmod_common* common) {
+/// For each node its place in an order that keeps L sparse: approximate minimum degree of all couplings, in 1 ms for
+/// 4 000 nodes. Nested dissection of the mesh alone takes twenty times as long and overlooks that each anchor ties nine
+/// nodes together: with 200 anchors in an open plan, L takes eight times the arithmetic. Empty: out of memory.
+std::vector<std::uint32_t> fillReducingPlaces(const Couplings& couplings) {
+  Session session;
+  cholmod_common* common = session.get();
+  common->supernodal = CHOLMOD_SIMPLICIAL;
+  common->method[0].ordering = CHOLMOD_AMD;
+  common->postorder = 1;
+  const std::size_t n = couplings.size();
   std::size_t entries = 0;
   for (const auto& larger : couplings) entries += larger.size();
-  cholmod_sparse* graph =
-      cholmod_allocate_sparse(couplings.size(), couplings.size(), entries, 1, 1, -1, CHOLMOD_PATTERN, common);
+  cholmod_sparse* graph = cholmod_allocate_sparse(n, n, entries, 1, 1, -1, CHOLMOD_PATTERN, common);
   if (graph == nullptr) return {};
   auto* starts = static_cast<int*>(graph->p);
   auto* rows = static_cast<int*>(graph->i);
   int at = 0;
-  for (std::size_t node = 0; node < couplings.size(); ++node) {
+  for (std::size_t node = 0; node < n; ++node) {
     starts[node] = at;
     for (const std::uint32_t larger : couplings[node]) rows[at++] = static_cast<int>(larger);
   }
-  starts[couplings.size()] = at;
-  std::vector<int> order(couplings.size());
-  if (cholmod_amd(graph, nullptr, 0, order.data(), common) == 0) order.clear();
+  starts[n] = at;
+  cholmod_factor* analysed = cholmod_analyze(graph, common);
   cholmod_free_sparse(&graph, common);
-  return order;
+  if (analysed == nullptr) return {};
+  std::vector<std::uint32_t> places(n);
+  const auto* order = static_cast<const int*>(analysed->Perm);
+  for (std::uint32_t place = 0; place < n; ++place) places[static_cast<std::size_t>(order[place])] = place;
+  cholmod_free_factor(&analysed, common);
+  return places;
+}
+
+/// The same couplings between places.
+Couplings renumbered(const Couplings& couplings, const std::vector<std::uint32_t>& places) {
+  Couplings renumbered(couplings.size());
+  for (std::size_t node = 0; node < couplings.size(); ++node) {
+    for (const std::uint32_t larger : couplings[node]) {
+      const auto [first, second] = std::minmax(places[node], places[larger]);
+      renumbered[first].push_back(second);
+    }
+  }
+  for (std::vector<std::uint32_t>& larger : renumbered) std::sort(larger.begin(), larger.end());
+  return renumbered;
 }
 
 }  // namespace
@@ -133,17 +155,24 @@ class NormalMatrix::Impl {
   template <int kUnknowns>
   void addBlock(std::uint32_t row_node, std::uint32_t column_node, const Matrix5d& block);
   [[nodiscard]] int supernodeOf(std::size_t column) const { return column_supernode_[column]; }
+  [[nodiscard]] std::size_t placeOf(std::size_t unknown) const {
+    const auto b = static_cast<std::size_t>(unknowns_);
+    return places_[unknown / b] * b + unknown % b;
+  }
 
   Session session_;
-  Couplings couplings_;
+  // The matrix is kept in its order of elimination, so that CHOLMOD need not copy it for each factorisation.
+  Couplings couplings_;                // between nodes
+  Couplings later_;                    // between places
+  std::vector<std::uint32_t> places_;  // of nodes in the order
   int unknowns_ = 0;
   cholmod_sparse* matrix_ = nullptr;
   cholmod_factor* factor_ = nullptr;
   bool factorised_ = false;
   double operations_ = 0.0;
-  std::vector<int> inverse_permutation_;
   std::vector<int> column_supernode_;
   mutable std::array<FormWorkspace, 2> form_workspaces_;  // one for each thread
+  Eigen::VectorXd in_places_;                             // a right-hand side in the order of the matrix
   cholmod_dense* solution_ = nullptr;                     // workspaces that cholmod_solve2 reuses
   cholmod_dense* work_y_ = nullptr;
   cholmod_dense* work_e_ = nullptr;
@@ -159,23 +188,24 @@ void NormalMatrix::Impl::clear() {
   factorised_ = false;
 }
 
-/// Lower triangle, scalar columns: of node j first its own block from the diagonal down, then its larger neighbours.
+/// Lower triangle, scalar columns: of the node in place j first its own block from the diagonal down, then those of its
+/// later neighbours.
 void NormalMatrix::Impl::layOut(const Objective& objective) {
   const auto b = static_cast<std::size_t>(unknowns_);
   const std::size_t n = objective.size();
   std::size_t entries = 0;
-  for (const auto& larger : couplings_) entries += b * (b + 1) / 2 + b * b * larger.size();
+  for (const auto& later : later_) entries += b * (b + 1) / 2 + b * b * later.size();
   matrix_ = cholmod_allocate_sparse(n, n, entries, 1, 1, -1, CHOLMOD_REAL, session_.get());
   if (matrix_ == nullptr) return;
   auto* starts = static_cast<int*>(matrix_->p);
   auto* rows = static_cast<int*>(matrix_->i);
   int at = 0;
-  for (std::size_t node = 0; node < couplings_.size(); ++node) {
+  for (std::size_t place = 0; place < later_.size(); ++place) {
     for (std::size_t q = 0; q < b; ++q) {
-      starts[node * b + q] = at;
-      for (std::size_t p = q; p < b; ++p) rows[at++] = static_cast<int>(node * b + p);
-      for (const std::uint32_t larger : couplings_[node]) {
-        for (std::size_t p = 0; p < b; ++p) rows[at++] = static_cast<int>(larger * b + p);
+      starts[place * b + q] = at;
+      for (std::size_t p = q; p < b; ++p) rows[at++] = static_cast<int>(place * b + p);
+      for (const std::uint32_t later : later_[place]) {
+        for (std::size_t p = 0; p < b; ++p) rows[at++] = static_cast<int>(later * b + p);
       }
     }
   }
@@ -188,23 +218,15 @@ bool NormalMatrix::Impl::analyse(const Objective& objective) {
   clear();
   couplings_ = std::move(couplings);
   unknowns_ = objective.unknowns;
+  places_ = fillReducingPlaces(couplings_);
+  if (places_.empty()) return false;
+  later_ = renumbered(couplings_, places_);
   layOut(objective);
-  const std::vector<int> node_order = fillReducingOrder(couplings_, session_.get());
-  if (matrix_ == nullptr || node_order.empty()) return false;
-
-  std::vector<int> permutation;
-  permutation.reserve(objective.size());
-  for (const int node : node_order) {
-    for (int q = 0; q < unknowns_; ++q) permutation.push_back(node * unknowns_ + q);
-  }
-  factor_ = cholmod_analyze_p(matrix_, permutation.data(), nullptr, 0, session_.get());
+  if (matrix_ == nullptr) return false;
+  factor_ = cholmod_analyze(matrix_, session_.get());
   if (factor_ == nullptr || factor_->is_super == 0) return false;
   operations_ = session_.get()->fl;
 
-  inverse_permutation_.resize(factor_->n);
-  const auto* order = static_cast<const int*>(factor_->Perm);
-  for (std::size_t k = 0; k < factor_->n; ++k)
-    inverse_permutation_[static_cast<std::size_t>(order[k])] = static_cast<int>(k);
   column_supernode_.resize(factor_->n);
   const auto* first_columns = static_cast<const int*>(factor_->super);
   for (std::size_t s = 0; s < factor_->nsuper; ++s) {
@@ -214,24 +236,27 @@ bool NormalMatrix::Impl::analyse(const Objective& objective) {
   return true;
 }
 
-/// Adds to the block of (row_node, column_node), row_node >= column_node; of a diagonal block only the lower triangle.
+/// Adds to the block of these rows and columns, or to its transpose: whichever lies in the lower triangle.
 template <int kUnknowns>
 void NormalMatrix::Impl::addBlock(std::uint32_t row_node, std::uint32_t column_node, const Matrix5d& block) {
   auto* values = static_cast<double*>(matrix_->x);
   const auto* starts = static_cast<const int*>(matrix_->p);
-  if (row_node == column_node) {
+  const std::uint32_t row = places_[row_node];
+  const std::uint32_t column = places_[column_node];
+  const auto columnOf = [&](std::uint32_t place, int q) {
+    return values + starts[place * kUnknowns + static_cast<std::uint32_t>(q)];
+  };
+  if (row == column) {
     for (int q = 0; q < kUnknowns; ++q) {
-      double* column = values + starts[column_node * kUnknowns + static_cast<std::uint32_t>(q)];
-      for (int p = q; p < kUnknowns; ++p) column[p - q] += block(p, q);
+      for (int p = q; p < kUnknowns; ++p) columnOf(row, q)[p - q] += block(p, q);
     }
     return;
   }
-  const std::vector<std::uint32_t>& larger = couplings_[column_node];
-  const auto place = std::lower_bound(larger.begin(), larger.end(), row_node) - larger.begin();
+  const std::vector<std::uint32_t>& later = later_[std::min(row, column)];
+  const auto place = std::lower_bound(later.begin(), later.end(), std::max(row, column)) - later.begin();
   for (int q = 0; q < kUnknowns; ++q) {
-    double* column =
-        values + starts[column_node * kUnknowns + static_cast<std::uint32_t>(q)] + (kUnknowns - q) + place * kUnknowns;
-    for (int p = 0; p < kUnknowns; ++p) column[p] += block(p, q);
+    double* target = columnOf(std::min(row, column), q) + (kUnknowns - q) + place * kUnknowns;
+    for (int p = 0; p < kUnknowns; ++p) target[p] += row > column ? block(p, q) : block(q, p);
   }
 }
 
@@ -251,10 +276,9 @@ void NormalMatrix::Impl::assemble(const Objective& objective, const double* x) {
     own_to.diagonal() += smoothness;
     addBlock<kUnknowns>(edge.from, edge.from, own_from);
     addBlock<kUnknowns>(edge.to, edge.to, own_to);
-    const bool from_is_larger = edge.from > edge.to;
-    Matrix5d across = from_is_larger ? Matrix5d(at.from.transpose() * at.to) : Matrix5d(at.to.transpose() * at.from);
+    Matrix5d across = at.from.transpose() * at.to;
     across.diagonal() -= smoothness;
-    addBlock<kUnknowns>(std::max(edge.from, edge.to), std::min(edge.from, edge.to), across);
+    addBlock<kUnknowns>(edge.from, edge.to, across);
   }
   Matrix5d prior = Matrix5d::Zero();
   prior(3, 3) = prior(4, 4) = 2.0 * objective.sqrt_prior * objective.sqrt_prior;  // of (a_x - a_y)^2 + (a_x + a_y)^2
@@ -268,8 +292,7 @@ void NormalMatrix::Impl::assemble(const Objective& objective, const double* x) {
     std::array<Matrix25d, NodeBlend::kCapacity> derivatives;
     for (std::size_t k = 0; k < anchor.blend.count; ++k) derivatives[k] = derivativeOf(objective, anchor, k, x);
     for (std::size_t i = 0; i < anchor.blend.count; ++i) {
-      for (std::size_t j = 0; j < anchor.blend.count; ++j) {
-        if (anchor.blend.nodes[i] < anchor.blend.nodes[j]) continue;
+      for (std::size_t j = 0; j <= i; ++j) {
         addBlock<kUnknowns>(anchor.blend.nodes[i], anchor.blend.nodes[j],
                             weight * derivatives[i].transpose() * derivatives[j]);
       }
@@ -296,19 +319,25 @@ bool NormalMatrix::Impl::factorise(const Objective& objective, const double* x, 
 }
 
 bool NormalMatrix::Impl::solve(const Eigen::VectorXd& right, Eigen::VectorXd& solution) {
+  in_places_.resize(right.size());
+  for (Eigen::Index k = 0; k < right.size(); ++k) {
+    in_places_[static_cast<Eigen::Index>(placeOf(static_cast<std::size_t>(k)))] = right[k];
+  }
   cholmod_dense view{};
   view.nrow = static_cast<std::size_t>(right.size());
   view.ncol = 1;
   view.nzmax = view.nrow;
   view.d = view.nrow;
-  view.x = const_cast<double*>(right.data());  // CHOLMOD reads it only
+  view.x = in_places_.data();
   view.xtype = CHOLMOD_REAL;
   view.dtype = CHOLMOD_DOUBLE;
   if (cholmod_solve2(CHOLMOD_A, factor_, &view, nullptr, &solution_, nullptr, &work_y_, &work_e_, session_.get()) ==
       0) {
     return false;
   }
-  solution = Eigen::Map<const Eigen::VectorXd>(static_cast<const double*>(solution_->x), right.size());
+  const auto* solved = static_cast<const double*>(solution_->x);
+  solution.resize(right.size());
+  for (Eigen::Index k = 0; k < right.size(); ++k) solution[k] = solved[placeOf(static_cast<std::size_t>(k))];
   return solution.allFinite();
 }
 
@@ -321,7 +350,7 @@ std::vector<int> NormalMatrix::Impl::pathsOf(const FormBatch& batch, std::vector
   on_path.resize(factor_->nsuper, false);
   for (const SparseColumns* form : batch.forms) {
     for (const std::size_t row : form->rows) {
-      int supernode = supernodeOf(static_cast<std::size_t>(inverse_permutation_[row]));
+      int supernode = supernodeOf(placeOf(row));
       while (supernode >= 0 && !on_path[static_cast<std::size_t>(supernode)]) {
         on_path[static_cast<std::size_t>(supernode)] = true;
         path.push_back(supernode);
@@ -351,7 +380,7 @@ void NormalMatrix::Impl::solveBatch(const FormBatch& batch, FormWorkspace& works
   Eigen::Index column = 0;
   for (const SparseColumns* form : batch.forms) {
     for (std::size_t k = 0; k < form->rows.size(); ++k) {
-      work.row(inverse_permutation_[form->rows[k]]).segment(column, form->count) +=
+      work.row(static_cast<Eigen::Index>(placeOf(form->rows[k]))).segment(column, form->count) +=
           form->values[k].head(form->count).transpose();
     }
     column += form->count;
@@ -382,15 +411,15 @@ void NormalMatrix::Impl::solveBatch(const FormBatch& batch, FormWorkspace& works
 std::vector<Eigen::Matrix4d> NormalMatrix::Impl::inverseForms(const std::vector<SparseColumns>& forms) const {
   std::vector<Eigen::Matrix4d> grams(forms.size(), Eigen::Matrix4d::Zero());
   // Neighbours in the elimination order share most of their paths.
-  std::vector<std::pair<int, std::size_t>> order;
+  std::vector<std::pair<std::size_t, std::size_t>> order;
   for (std::size_t k = 0; k < forms.size(); ++k) {
-    int first = 0;
-    for (const std::size_t row : forms[k].rows) first = std::max(first, inverse_permutation_[row]);
-    order.emplace_back(first, k);
+    std::size_t last = 0;
+    for (const std::size_t row : forms[k].rows) last = std::max(last, placeOf(row));
+    order.emplace_back(last, k);
   }
   std::sort(order.begin(), order.end());
   std::vector<FormBatch> batches;
-  for (const auto& [first, k] : order) {
+  for (const auto& [last, k] : order) {
     if (batches.empty() || batches.back().columns + forms[k].count > kFormColumns) batches.emplace_back();
     FormBatch& batch = batches.back();
     batch.forms.push_back(&forms[k]);
