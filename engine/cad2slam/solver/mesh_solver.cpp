@@ -235,7 +235,7 @@ Result<Solution> MeshSolver::Impl::solveMesh(const AnchorList& anchors, const So
 }
 
 /// After an edit the stiffness is mostly the one of before: then the mesh is solved with that while another thread
-/// makes sure, and solved again should it be another one. The answer is the same either way.
+/// makes sure and fits the plate, and solved again should it be another one. The answer is the same either way.
 Result<Solution> MeshSolver::Impl::solveWithChosenStiffness(const AnchorList& anchors, const SolverSettings& settings,
                                                             const Similarity2& global_fit, const Solution* warm_start,
                                                             const IterationCallback& on_iteration) {
@@ -244,7 +244,7 @@ Result<Solution> MeshSolver::Impl::solveWithChosenStiffness(const AnchorList& an
   const auto solveWith = [&](Stiffness stiffness) {
     return solveMesh(anchors, withStiffness(settings, stiffness), global_fit, warm_start, on_iteration);
   };
-  struct Aside {  // what does not need the mesh
+  struct Aside {  // what does not need the solved mesh
     Stiffness stiffness;
     Result<ThinPlateFit> plate;
   };

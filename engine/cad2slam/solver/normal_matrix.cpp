@@ -74,6 +74,30 @@ Couplings couplingsOf(const Objective& objective) {
   return couplings;
 }
 
+/// The pattern of a symmetric matrix with a block of b x b for each coupling, as lower triangle in scalar columns: of
+/// node j first its own block from the diagonal down, then its larger neighbours. Null: out of memory.
+cholmod_sparse* lowerTriangle(const Couplings& couplings, std::size_t b, int xtype, cholmod_common* common) {
+  const std::size_t n = couplings.size() * b;
+  std::size_t entries = 0;
+  for (const auto& larger : couplings) entries += b * (b + 1) / 2 + b * b * larger.size();
+  cholmod_sparse* matrix = cholmod_allocate_sparse(n, n, entries, 1, 1, -1, xtype, common);
+  if (matrix == nullptr) return nullptr;
+  auto* starts = static_cast<int*>(matrix->p);
+  auto* rows = static_cast<int*>(matrix->i);
+  int at = 0;
+  for (std::size_t node = 0; node < couplings.size(); ++node) {
+    for (std::size_t q = 0; q < b; ++q) {
+      starts[node * b + q] = at;
+      for (std::size_t p = q; p < b; ++p) rows[at++] = static_cast<int>(node * b + p);
+      for (const std::uint32_t larger : couplings[node]) {
+        for (std::size_t p = 0; p < b; ++p) rows[at++] = static_cast<int>(larger * b + p);
+      }
+    }
+  }
+  starts[n] = at;
+  return matrix;
+}
+
 /// For each node its place in an order that keeps L sparse: approximate minimum degree of all couplings, in 1 ms for
 /// 4 000 nodes. Nested dissection of the mesh alone takes twenty times as long and overlooks that each anchor ties nine
 /// nodes together: with 200 anchors in an open plan, L takes eight times the arithmetic. Empty: out of memory.
@@ -83,25 +107,14 @@ std::vector<std::uint32_t> fillReducingPlaces(const Couplings& couplings) {
   common->supernodal = CHOLMOD_SIMPLICIAL;
   common->method[0].ordering = CHOLMOD_AMD;
   common->postorder = 1;
-  const std::size_t n = couplings.size();
-  std::size_t entries = 0;
-  for (const auto& larger : couplings) entries += larger.size();
-  cholmod_sparse* graph = cholmod_allocate_sparse(n, n, entries, 1, 1, -1, CHOLMOD_PATTERN, common);
+  cholmod_sparse* graph = lowerTriangle(couplings, 1, CHOLMOD_PATTERN, common);
   if (graph == nullptr) return {};
-  auto* starts = static_cast<int*>(graph->p);
-  auto* rows = static_cast<int*>(graph->i);
-  int at = 0;
-  for (std::size_t node = 0; node < n; ++node) {
-    starts[node] = at;
-    for (const std::uint32_t larger : couplings[node]) rows[at++] = static_cast<int>(larger);
-  }
-  starts[n] = at;
   cholmod_factor* analysed = cholmod_analyze(graph, common);
   cholmod_free_sparse(&graph, common);
   if (analysed == nullptr) return {};
-  std::vector<std::uint32_t> places(n);
+  std::vector<std::uint32_t> places(couplings.size());
   const auto* order = static_cast<const int*>(analysed->Perm);
-  for (std::uint32_t place = 0; place < n; ++place) places[static_cast<std::size_t>(order[place])] = place;
+  for (std::uint32_t place = 0; place < places.size(); ++place) places[static_cast<std::size_t>(order[place])] = place;
   cholmod_free_factor(&analysed, common);
   return places;
 }
@@ -149,7 +162,6 @@ class NormalMatrix::Impl {
   };
   [[nodiscard]] std::vector<int> pathsOf(const FormBatch& batch, std::vector<bool>& on_path) const;
   void solveBatch(const FormBatch& batch, FormWorkspace& workspace) const;
-  void layOut(const Objective& objective);
   template <int kUnknowns>
   void assemble(const Objective& objective, const double* x);
   template <int kUnknowns>
@@ -188,30 +200,6 @@ void NormalMatrix::Impl::clear() {
   factorised_ = false;
 }
 
-/// Lower triangle, scalar columns: of the node in place j first its own block from the diagonal down, then those of its
-/// later neighbours.
-void NormalMatrix::Impl::layOut(const Objective& objective) {
-  const auto b = static_cast<std::size_t>(unknowns_);
-  const std::size_t n = objective.size();
-  std::size_t entries = 0;
-  for (const auto& later : later_) entries += b * (b + 1) / 2 + b * b * later.size();
-  matrix_ = cholmod_allocate_sparse(n, n, entries, 1, 1, -1, CHOLMOD_REAL, session_.get());
-  if (matrix_ == nullptr) return;
-  auto* starts = static_cast<int*>(matrix_->p);
-  auto* rows = static_cast<int*>(matrix_->i);
-  int at = 0;
-  for (std::size_t place = 0; place < later_.size(); ++place) {
-    for (std::size_t q = 0; q < b; ++q) {
-      starts[place * b + q] = at;
-      for (std::size_t p = q; p < b; ++p) rows[at++] = static_cast<int>(place * b + p);
-      for (const std::uint32_t later : later_[place]) {
-        for (std::size_t p = 0; p < b; ++p) rows[at++] = static_cast<int>(later * b + p);
-      }
-    }
-  }
-  starts[n] = at;
-}
-
 bool NormalMatrix::Impl::analyse(const Objective& objective) {
   Couplings couplings = couplingsOf(objective);
   if (factor_ != nullptr && unknowns_ == objective.unknowns && couplings == couplings_) return true;
@@ -221,7 +209,7 @@ bool NormalMatrix::Impl::analyse(const Objective& objective) {
   places_ = fillReducingPlaces(couplings_);
   if (places_.empty()) return false;
   later_ = renumbered(couplings_, places_);
-  layOut(objective);
+  matrix_ = lowerTriangle(later_, static_cast<std::size_t>(unknowns_), CHOLMOD_REAL, session_.get());
   if (matrix_ == nullptr) return false;
   factor_ = cholmod_analyze(matrix_, session_.get());
   if (factor_ == nullptr || factor_->is_super == 0) return false;
@@ -320,8 +308,9 @@ bool NormalMatrix::Impl::factorise(const Objective& objective, const double* x, 
 
 bool NormalMatrix::Impl::solve(const Eigen::VectorXd& right, Eigen::VectorXd& solution) {
   in_places_.resize(right.size());
-  for (Eigen::Index k = 0; k < right.size(); ++k) {
-    in_places_[static_cast<Eigen::Index>(placeOf(static_cast<std::size_t>(k)))] = right[k];
+  for (std::size_t node = 0; node < places_.size(); ++node) {
+    in_places_.segment(places_[node] * unknowns_, unknowns_) =
+        right.segment(static_cast<Eigen::Index>(node) * unknowns_, unknowns_);
   }
   cholmod_dense view{};
   view.nrow = static_cast<std::size_t>(right.size());
@@ -335,9 +324,12 @@ bool NormalMatrix::Impl::solve(const Eigen::VectorXd& right, Eigen::VectorXd& so
       0) {
     return false;
   }
-  const auto* solved = static_cast<const double*>(solution_->x);
+  const Eigen::Map<const Eigen::VectorXd> solved(static_cast<const double*>(solution_->x), right.size());
   solution.resize(right.size());
-  for (Eigen::Index k = 0; k < right.size(); ++k) solution[k] = solved[placeOf(static_cast<std::size_t>(k))];
+  for (std::size_t node = 0; node < places_.size(); ++node) {
+    solution.segment(static_cast<Eigen::Index>(node) * unknowns_, unknowns_) =
+        solved.segment(places_[node] * unknowns_, unknowns_);
+  }
   return solution.allFinite();
 }
 
