@@ -7,7 +7,7 @@
 namespace cad2slam {
 
 void giveWayToWindow() {
-  constexpr int kNice = 10;  // a tenth of the processor where the window wants all of it
+  constexpr int kNice = 5;  // a third of the processor where the window wants all of it
   // In Linux, of this thread alone; where it is refused, all threads are equal.
   thread_local const int refused = setpriority(PRIO_PROCESS, 0, kNice);
   static_cast<void>(refused);
