@@ -229,6 +229,20 @@ int main(int argc, char** argv) {
   report.insert(QStringLiteral("click_to_table_ms"), median(to_table));
   report.insert(QStringLiteral("of_it_solve_ms"), median(solve));
   if (!to_preview.empty()) report.insert(QStringLiteral("click_to_preview_ms"), median(to_preview));
+
+  // A new anchor changes which nodes hang together, which a moved one does not.
+  std::vector<double> added_to_table;
+  for (int i = 0; i < 10; ++i) {
+    const Anchor anchor = document.anchors()[static_cast<std::size_t>(i) % document.anchors().size()];
+    edit::deleteAnchors(document, {anchor.id});
+    if (!waitFor(is_solved)) return 1;
+    idleFor(100);
+    since.restart();
+    edit::addAnchors(document, {anchor}, QStringLiteral("import"));
+    if (!waitFor(is_solved)) return 1;
+    added_to_table.push_back(static_cast<double>(since.nsecsElapsed()) / 1e6);
+  }
+  report.insert(QStringLiteral("new_anchor_to_table_ms"), median(added_to_table));
   report.insert(QStringLiteral("longest_block_solve"), heart.longest());
 
   heart.reset();

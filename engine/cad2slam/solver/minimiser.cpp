@@ -98,7 +98,7 @@ MinimiserReport minimise(const Objective& objective, VectorXd& x, NormalMatrix& 
   VectorXd direction;
   double damping = 0.0;
   bool factor_is_fresh = false;
-  bool needs_factor = !normal.hasFactorFor(objective);
+  bool needs_factor = !normal.adaptFactor(objective, now.x.data());
   int slow_steps = 0;
   const auto relative = [&](const Point& at) { return maxNorm(at.gradient) / options.gradient_at_start; };
 

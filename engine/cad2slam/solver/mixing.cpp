@@ -72,11 +72,12 @@ bool mixIn(const ThinPlateFit& plate, double share, const Mesh& mesh, const std:
   std::vector<Vector2d> node_stretch = solution.node_stretch;
   for (const NodeIndex node : nodes) {
     const Vector2d& center = mesh.centers()[node];
-    const Matrix2d linear = plate.jacobian(center) / solution.global_fit.scale;
+    const auto [place, jacobian] = plate.at(center);
+    const Matrix2d linear = jacobian / solution.global_fit.scale;
     const double heading = std::atan2(linear(1, 0) - linear(0, 1), linear(0, 0) + linear(1, 1));
     const Vector2d factors = (rotationMatrix(-heading) * linear).diagonal();
     if (!(linear.determinant() > 0.0) || !(factors.minCoeff() > kSmallestFactor)) return false;
-    moveTowards({plate * center, heading}, factors.array().log(), share, node_slam[node], node_stretch[node]);
+    moveTowards({place, heading}, factors.array().log(), share, node_slam[node], node_stretch[node]);
   }
   solution.node_slam = std::move(node_slam);
   solution.node_stretch = std::move(node_stretch);

@@ -3,14 +3,16 @@
 #include "cad2slam/solver/normal_matrix.h"
 
 #include "cad2slam/solver/blas.h"
+#include "cad2slam/solver/normal_layout.h"
 #include "cad2slam/solver/second_thread.h"
 
 #include <cholmod.h>
+#include <Eigen/LU>
 
 #include <algorithm>
 #include <array>
 #include <future>
-#include <numeric>
+#include <memory>
 #include <utility>
 
 namespace cad2slam {
@@ -20,137 +22,41 @@ using Vector5d = Eigen::Matrix<double, 5, 1>;
 using Matrix5d = Eigen::Matrix<double, 5, 5>;
 using Matrix25d = Eigen::Matrix<double, 2, 5>;
 
-constexpr int kFormColumns = 16;  // right-hand sides that share one walk through the factor
+constexpr std::size_t kMostAddedAnchors = 2;  // to a factor; each takes about a step of the minimiser
+constexpr int kFormColumns = 16;              // right-hand sides that share one walk through the factor
 using FormRows = Eigen::Matrix<double, Eigen::Dynamic, kFormColumns, Eigen::RowMajor>;
 
-/// cholmod_common with our settings; no printing, no abort.
-class Session {
- public:
-  Session() {
-    cholmod_start(&common_);
-    common_.print = 0;
-    common_.error_handler = nullptr;
-    common_.supernodal = CHOLMOD_SUPERNODAL;
-    common_.nmethods = 1;
-    common_.method[0].ordering = CHOLMOD_NATURAL;  // the matrix comes in its order of elimination
-    common_.postorder = 0;
-    common_.final_ll = 1;
-    // Supernodes of eight to two dozen mesh nodes, with some zeros in them. CHOLMOD's own choice is made for one
-    // unknown a node: three times as many supernodes, whose bookkeeping then takes longer than the arithmetic.
-    common_.nrelax[0] = 40;
-    common_.nrelax[1] = 60;
-    common_.nrelax[2] = 120;
-    common_.zrelax[0] = 0.8;
-    common_.zrelax[1] = 0.4;
-    common_.zrelax[2] = 0.1;
-  }
-  ~Session() { cholmod_finish(&common_); }
-  Session(const Session&) = delete;
-  Session& operator=(const Session&) = delete;
-  cholmod_common* get() { return &common_; }
-
- private:
-  cholmod_common common_{};
-};
-
-/// Couplings between active nodes: for each node the larger nodes it shares a term with, sorted.
-using Couplings = std::vector<std::vector<std::uint32_t>>;
-
-Couplings couplingsOf(const Objective& objective) {
-  Couplings couplings(objective.nodeCount());
-  const auto couple = [&couplings](std::uint32_t a, std::uint32_t b) {
-    if (a != b) couplings[std::min(a, b)].push_back(std::max(a, b));
-  };
-  for (const EdgeTerm& edge : objective.edges) couple(edge.from, edge.to);
-  for (const AnchorTerm& anchor : objective.anchors) {
-    for (std::size_t i = 0; i < anchor.blend.count; ++i) {
-      for (std::size_t j = 0; j < i; ++j) couple(anchor.blend.nodes[i], anchor.blend.nodes[j]);
-    }
-  }
-  for (std::vector<std::uint32_t>& larger : couplings) {
-    std::sort(larger.begin(), larger.end());
-    larger.erase(std::unique(larger.begin(), larger.end()), larger.end());
-  }
-  return couplings;
+double weightOf(const Objective& objective, const AnchorTerm& anchor, const double* x) {
+  return objective.anchor_information *
+         lossWeight(residualOf(objective, anchor, x).squaredNorm(), objective.loss_width_m);
 }
 
-/// The pattern of a symmetric matrix with a block of b x b for each coupling, as lower triangle in scalar columns: of
-/// node j first its own block from the diagonal down, then its larger neighbours. Null: out of memory.
-cholmod_sparse* lowerTriangle(const Couplings& couplings, std::size_t b, int xtype, cholmod_common* common) {
-  const std::size_t n = couplings.size() * b;
-  std::size_t entries = 0;
-  for (const auto& larger : couplings) entries += b * (b + 1) / 2 + b * b * larger.size();
-  cholmod_sparse* matrix = cholmod_allocate_sparse(n, n, entries, 1, 1, -1, xtype, common);
-  if (matrix == nullptr) return nullptr;
-  auto* starts = static_cast<int*>(matrix->p);
-  auto* rows = static_cast<int*>(matrix->i);
-  int at = 0;
-  for (std::size_t node = 0; node < couplings.size(); ++node) {
-    for (std::size_t q = 0; q < b; ++q) {
-      starts[node * b + q] = at;
-      for (std::size_t p = q; p < b; ++p) rows[at++] = static_cast<int>(node * b + p);
-      for (const std::uint32_t larger : couplings[node]) {
-        for (std::size_t p = 0; p < b; ++p) rows[at++] = static_cast<int>(larger * b + p);
-      }
-    }
-  }
-  starts[n] = at;
-  return matrix;
-}
-
-/// For each node its place in an order that keeps L sparse: approximate minimum degree of all couplings, in 1 ms for
-/// 4 000 nodes. Nested dissection of the mesh alone takes twenty times as long and overlooks that each anchor ties nine
-/// nodes together: with 200 anchors in an open plan, L takes eight times the arithmetic. Empty: out of memory.
-std::vector<std::uint32_t> fillReducingPlaces(const Couplings& couplings) {
-  Session session;
-  cholmod_common* common = session.get();
-  common->supernodal = CHOLMOD_SIMPLICIAL;
-  common->method[0].ordering = CHOLMOD_AMD;
-  common->postorder = 1;
-  cholmod_sparse* graph = lowerTriangle(couplings, 1, CHOLMOD_PATTERN, common);
-  if (graph == nullptr) return {};
-  cholmod_factor* analysed = cholmod_analyze(graph, common);
-  cholmod_free_sparse(&graph, common);
-  if (analysed == nullptr) return {};
-  std::vector<std::uint32_t> places(couplings.size());
-  const auto* order = static_cast<const int*>(analysed->Perm);
-  for (std::uint32_t place = 0; place < places.size(); ++place) places[static_cast<std::size_t>(order[place])] = place;
-  cholmod_free_factor(&analysed, common);
-  return places;
-}
-
-/// The same couplings between places.
-Couplings renumbered(const Couplings& couplings, const std::vector<std::uint32_t>& places) {
-  Couplings renumbered(couplings.size());
-  for (std::size_t node = 0; node < couplings.size(); ++node) {
-    for (const std::uint32_t larger : couplings[node]) {
-      const auto [first, second] = std::minmax(places[node], places[larger]);
-      renumbered[first].push_back(second);
-    }
-  }
-  for (std::vector<std::uint32_t>& larger : renumbered) std::sort(larger.begin(), larger.end());
-  return renumbered;
+bool isSameBlend(const NodeBlend& a, const NodeBlend& b) {
+  return a.count == b.count && std::equal(a.nodes.begin(), a.nodes.begin() + a.count, b.nodes.begin()) &&
+         std::equal(a.weights.begin(), a.weights.begin() + a.count, b.weights.begin());
 }
 
 }  // namespace
 
 class NormalMatrix::Impl {
  public:
-  ~Impl() { clear(); }
   Impl() = default;
+  ~Impl();
   Impl(const Impl&) = delete;
   Impl& operator=(const Impl&) = delete;
 
   bool analyse(const Objective& objective);
   bool factorise(const Objective& objective, const double* x, double damping);
+  bool adaptFactor(const Objective& objective, const double* x);
   bool solve(const Eigen::VectorXd& right, Eigen::VectorXd& solution);
   [[nodiscard]] std::vector<Eigen::Matrix4d> inverseForms(const std::vector<SparseColumns>& forms) const;
-  [[nodiscard]] double operations() const { return operations_; }
-  void forgetFactor() { factorised_ = false; }
-  [[nodiscard]] bool hasFactor(std::size_t size) const { return factorised_ && matrix_->nrow == size; }
+  [[nodiscard]] double operations() const { return layout_ ? layout_->operations : 0.0; }
+  void forgetFactor() { factorised_.reset(); }
+  [[nodiscard]] bool hasFactorFor(const Objective& objective) const {
+    return factorised_ && unknowns_ == objective.unknowns && nodes_ == objective.active_nodes;
+  }
 
  private:
-  void clear();
   struct FormWorkspace {
     FormRows rows;
     std::vector<bool> on_path;
@@ -160,77 +66,52 @@ class NormalMatrix::Impl {
     std::vector<Eigen::Matrix4d*> grams;
     int columns = 0;
   };
+  using Columns = Eigen::Ref<const Eigen::MatrixXd>;
+  bool solveWithFactor(const Columns& right, Eigen::Ref<Eigen::MatrixXd> solution);
   [[nodiscard]] std::vector<int> pathsOf(const FormBatch& batch, std::vector<bool>& on_path) const;
   void solveBatch(const FormBatch& batch, FormWorkspace& workspace) const;
   template <int kUnknowns>
   void assemble(const Objective& objective, const double* x);
   template <int kUnknowns>
   void addBlock(std::uint32_t row_node, std::uint32_t column_node, const Matrix5d& block);
-  [[nodiscard]] int supernodeOf(std::size_t column) const { return column_supernode_[column]; }
-  [[nodiscard]] std::size_t placeOf(std::size_t unknown) const {
-    const auto b = static_cast<std::size_t>(unknowns_);
-    return places_[unknown / b] * b + unknown % b;
-  }
 
-  Session session_;
-  // The matrix is kept in its order of elimination, so that CHOLMOD need not copy it for each factorisation.
-  Couplings couplings_;                // between nodes
-  Couplings later_;                    // between places
-  std::vector<std::uint32_t> places_;  // of nodes in the order
-  int unknowns_ = 0;
-  cholmod_sparse* matrix_ = nullptr;
-  cholmod_factor* factor_ = nullptr;
-  bool factorised_ = false;
-  double operations_ = 0.0;
-  std::vector<int> column_supernode_;
+  CholmodSession session_;
+  std::shared_ptr<NormalLayout> layout_;      // as last analysed
+  std::shared_ptr<NormalLayout> factorised_;  // of the last factor, which may be of before the last edit
+  int unknowns_ = 0;                          // of a factorised node
+  std::vector<NodeIndex> nodes_;              // of the mesh that are factorised
+  std::vector<NodeBlend> blends_;             // of the anchors that are factorised
+  // Of anchors added to the factor, with their Jacobian J and weights W: N^-1 J^T and (W^-1 + J N^-1 J^T)^-1.
+  Eigen::MatrixXd added_;
+  Eigen::MatrixXd added_core_;
   mutable std::array<FormWorkspace, 2> form_workspaces_;  // one for each thread
-  Eigen::VectorXd in_places_;                             // a right-hand side in the order of the matrix
+  Eigen::MatrixXd in_places_;                             // right-hand sides in the order of the matrix
   cholmod_dense* solution_ = nullptr;                     // workspaces that cholmod_solve2 reuses
   cholmod_dense* work_y_ = nullptr;
   cholmod_dense* work_e_ = nullptr;
 };
 
-void NormalMatrix::Impl::clear() {
+NormalMatrix::Impl::~Impl() {
   cholmod_common* common = session_.get();
-  cholmod_free_sparse(&matrix_, common);
-  cholmod_free_factor(&factor_, common);
   cholmod_free_dense(&solution_, common);
   cholmod_free_dense(&work_y_, common);
   cholmod_free_dense(&work_e_, common);
-  factorised_ = false;
 }
 
 bool NormalMatrix::Impl::analyse(const Objective& objective) {
   Couplings couplings = couplingsOf(objective);
-  if (factor_ != nullptr && unknowns_ == objective.unknowns && couplings == couplings_) return true;
-  clear();
-  couplings_ = std::move(couplings);
-  unknowns_ = objective.unknowns;
-  places_ = fillReducingPlaces(couplings_);
-  if (places_.empty()) return false;
-  later_ = renumbered(couplings_, places_);
-  matrix_ = lowerTriangle(later_, static_cast<std::size_t>(unknowns_), CHOLMOD_REAL, session_.get());
-  if (matrix_ == nullptr) return false;
-  factor_ = cholmod_analyze(matrix_, session_.get());
-  if (factor_ == nullptr || factor_->is_super == 0) return false;
-  operations_ = session_.get()->fl;
-
-  column_supernode_.resize(factor_->n);
-  const auto* first_columns = static_cast<const int*>(factor_->super);
-  for (std::size_t s = 0; s < factor_->nsuper; ++s) {
-    std::fill(column_supernode_.begin() + first_columns[s], column_supernode_.begin() + first_columns[s + 1],
-              static_cast<int>(s));
-  }
-  return true;
+  if (layout_ && layout_->isFor(couplings, objective.unknowns)) return true;
+  layout_ = NormalLayout::create(std::move(couplings), objective.unknowns, session_);
+  return layout_ != nullptr;
 }
 
 /// Adds to the block of these rows and columns, or to its transpose: whichever lies in the lower triangle.
 template <int kUnknowns>
 void NormalMatrix::Impl::addBlock(std::uint32_t row_node, std::uint32_t column_node, const Matrix5d& block) {
-  auto* values = static_cast<double*>(matrix_->x);
-  const auto* starts = static_cast<const int*>(matrix_->p);
-  const std::uint32_t row = places_[row_node];
-  const std::uint32_t column = places_[column_node];
+  auto* values = static_cast<double*>(layout_->matrix->x);
+  const auto* starts = static_cast<const int*>(layout_->matrix->p);
+  const std::uint32_t row = layout_->places[row_node];
+  const std::uint32_t column = layout_->places[column_node];
   const auto columnOf = [&](std::uint32_t place, int q) {
     return values + starts[place * kUnknowns + static_cast<std::uint32_t>(q)];
   };
@@ -240,7 +121,7 @@ void NormalMatrix::Impl::addBlock(std::uint32_t row_node, std::uint32_t column_n
     }
     return;
   }
-  const std::vector<std::uint32_t>& later = later_[std::min(row, column)];
+  const std::vector<std::uint32_t>& later = layout_->later[std::min(row, column)];
   const auto place = std::lower_bound(later.begin(), later.end(), std::max(row, column)) - later.begin();
   for (int q = 0; q < kUnknowns; ++q) {
     double* target = columnOf(std::min(row, column), q) + (kUnknowns - q) + place * kUnknowns;
@@ -250,8 +131,8 @@ void NormalMatrix::Impl::addBlock(std::uint32_t row_node, std::uint32_t column_n
 
 template <int kUnknowns>
 void NormalMatrix::Impl::assemble(const Objective& objective, const double* x) {
-  auto* values = static_cast<double*>(matrix_->x);
-  std::fill(values, values + static_cast<const int*>(matrix_->p)[matrix_->ncol], 0.0);
+  auto* values = static_cast<double*>(layout_->matrix->x);
+  std::fill(values, values + static_cast<const int*>(layout_->matrix->p)[layout_->matrix->ncol], 0.0);
   const Vector5d smoothness =
       Vector5d(0.0, 0.0, objective.sqrt_lambda_theta, objective.sqrt_lambda_stretch, objective.sqrt_lambda_stretch)
           .array()
@@ -275,8 +156,7 @@ void NormalMatrix::Impl::assemble(const Objective& objective, const double* x) {
     addBlock<kUnknowns>(node, node, prior);
   }
   for (const AnchorTerm& anchor : objective.anchors) {
-    const double weight = objective.anchor_information *
-                          lossWeight(residualOf(objective, anchor, x).squaredNorm(), objective.loss_width_m);
+    const double weight = weightOf(objective, anchor, x);
     std::array<Matrix25d, NodeBlend::kCapacity> derivatives;
     for (std::size_t k = 0; k < anchor.blend.count; ++k) derivatives[k] = derivativeOf(objective, anchor, k, x);
     for (std::size_t i = 0; i < anchor.blend.count; ++i) {
@@ -289,66 +169,116 @@ void NormalMatrix::Impl::assemble(const Objective& objective, const double* x) {
 }
 
 bool NormalMatrix::Impl::factorise(const Objective& objective, const double* x, double damping) {
-  factorised_ = false;
-  if (unknowns_ == kRigidUnknowns) {
+  factorised_.reset();
+  if (objective.unknowns == kRigidUnknowns) {
     assemble<kRigidUnknowns>(objective, x);
   } else {
     assemble<kStretchUnknowns>(objective, x);
   }
   if (damping > 0.0) {
-    auto* values = static_cast<double*>(matrix_->x);
-    const auto* starts = static_cast<const int*>(matrix_->p);
-    for (std::size_t column = 0; column < matrix_->ncol; ++column) values[starts[column]] *= 1.0 + damping;
+    auto* values = static_cast<double*>(layout_->matrix->x);
+    const auto* starts = static_cast<const int*>(layout_->matrix->p);
+    for (std::size_t column = 0; column < layout_->matrix->ncol; ++column) values[starts[column]] *= 1.0 + damping;
   }
   cholmod_common* common = session_.get();
-  if (cholmod_factorize(matrix_, factor_, common) == 0 || common->status != CHOLMOD_OK) return false;
-  factorised_ = factor_->minor == factor_->n;
-  return factorised_;
+  cholmod_factor* factor = layout_->factor;
+  if (cholmod_factorize(layout_->matrix, factor, common) == 0 || common->status != CHOLMOD_OK) return false;
+  if (factor->minor != factor->n) return false;
+  factorised_ = layout_;
+  unknowns_ = objective.unknowns;
+  nodes_ = objective.active_nodes;
+  blends_.clear();
+  for (const AnchorTerm& anchor : objective.anchors) blends_.push_back(anchor.blend);
+  added_.resize(0, 0);
+  return true;
 }
 
-bool NormalMatrix::Impl::solve(const Eigen::VectorXd& right, Eigen::VectorXd& solution) {
-  in_places_.resize(right.size());
-  for (std::size_t node = 0; node < places_.size(); ++node) {
-    in_places_.segment(places_[node] * unknowns_, unknowns_) =
-        right.segment(static_cast<Eigen::Index>(node) * unknowns_, unknowns_);
+/// The solution for each column of `right`, with the factor alone.
+bool NormalMatrix::Impl::solveWithFactor(const Columns& right, Eigen::Ref<Eigen::MatrixXd> solution) {
+  const std::vector<std::uint32_t>& places = factorised_->places;
+  in_places_.resize(right.rows(), right.cols());
+  for (std::size_t node = 0; node < places.size(); ++node) {
+    in_places_.middleRows(places[node] * unknowns_, unknowns_) =
+        right.middleRows(static_cast<Eigen::Index>(node) * unknowns_, unknowns_);
   }
   cholmod_dense view{};
-  view.nrow = static_cast<std::size_t>(right.size());
-  view.ncol = 1;
-  view.nzmax = view.nrow;
+  view.nrow = static_cast<std::size_t>(right.rows());
+  view.ncol = static_cast<std::size_t>(right.cols());
+  view.nzmax = view.nrow * view.ncol;
   view.d = view.nrow;
   view.x = in_places_.data();
   view.xtype = CHOLMOD_REAL;
   view.dtype = CHOLMOD_DOUBLE;
-  if (cholmod_solve2(CHOLMOD_A, factor_, &view, nullptr, &solution_, nullptr, &work_y_, &work_e_, session_.get()) ==
-      0) {
+  if (cholmod_solve2(CHOLMOD_A, factorised_->factor, &view, nullptr, &solution_, nullptr, &work_y_, &work_e_,
+                     session_.get()) == 0) {
     return false;
   }
-  const Eigen::Map<const Eigen::VectorXd> solved(static_cast<const double*>(solution_->x), right.size());
-  solution.resize(right.size());
-  for (std::size_t node = 0; node < places_.size(); ++node) {
-    solution.segment(static_cast<Eigen::Index>(node) * unknowns_, unknowns_) =
-        solved.segment(places_[node] * unknowns_, unknowns_);
+  const Eigen::Map<const Eigen::MatrixXd> solved(static_cast<const double*>(solution_->x), right.rows(), right.cols());
+  for (std::size_t node = 0; node < places.size(); ++node) {
+    solution.middleRows(static_cast<Eigen::Index>(node) * unknowns_, unknowns_) =
+        solved.middleRows(places[node] * unknowns_, unknowns_);
   }
   return solution.allFinite();
 }
 
+/// By the identity of Woodbury: (N + J^T W J)^-1 = N^-1 - N^-1 J^T (W^-1 + J N^-1 J^T)^-1 J N^-1.
+bool NormalMatrix::Impl::adaptFactor(const Objective& objective, const double* x) {
+  if (!hasFactorFor(objective)) return false;
+  added_.resize(0, 0);
+  std::vector<const AnchorTerm*> added;
+  for (const AnchorTerm& anchor : objective.anchors) {
+    const auto is_same = [&](const NodeBlend& blend) { return isSameBlend(blend, anchor.blend); };
+    if (std::none_of(blends_.begin(), blends_.end(), is_same)) added.push_back(&anchor);
+  }
+  if (added.empty()) return true;
+  if (added.size() > kMostAddedAnchors) return false;
+  const auto columns = static_cast<Eigen::Index>(2 * added.size());
+  Eigen::MatrixXd jacobian = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(objective.size()), columns);
+  Eigen::VectorXd weights(columns);
+  for (std::size_t a = 0; a < added.size(); ++a) {
+    const AnchorTerm& anchor = *added[a];
+    const auto first = static_cast<Eigen::Index>(2 * a);
+    for (std::size_t k = 0; k < anchor.blend.count; ++k) {
+      jacobian.block(anchor.blend.nodes[k] * unknowns_, first, unknowns_, 2) =
+          derivativeOf(objective, anchor, k, x).leftCols(unknowns_).transpose();
+    }
+    weights.segment<2>(first).setConstant(weightOf(objective, anchor, x));
+  }
+  Eigen::MatrixXd solved(jacobian.rows(), columns);
+  if (!solveWithFactor(jacobian, solved)) return false;
+  Eigen::MatrixXd core = jacobian.transpose() * solved;
+  core.diagonal() += weights.cwiseInverse();
+  added_core_ = core.inverse();
+  if (!added_core_.allFinite()) return false;
+  added_ = std::move(solved);
+  return true;
+}
+
+bool NormalMatrix::Impl::solve(const Eigen::VectorXd& right, Eigen::VectorXd& solution) {
+  solution.resize(right.size());
+  if (!solveWithFactor(right, solution)) return false;
+  if (added_.cols() > 0) solution -= added_ * (added_core_ * (added_.transpose() * right));
+  return true;
+}
+
 /// The supernodes on the paths from the non-zeros to the root, in elimination order.
 std::vector<int> NormalMatrix::Impl::pathsOf(const FormBatch& batch, std::vector<bool>& on_path) const {
-  const auto* first_columns = static_cast<const int*>(factor_->super);
-  const auto* row_starts = static_cast<const int*>(factor_->pi);
-  const auto* row_numbers = static_cast<const int*>(factor_->s);
+  const auto* first_columns = static_cast<const int*>(factorised_->factor->super);
+  const auto* row_starts = static_cast<const int*>(factorised_->factor->pi);
+  const auto* row_numbers = static_cast<const int*>(factorised_->factor->s);
   std::vector<int> path;
-  on_path.resize(factor_->nsuper, false);
+  on_path.resize(factorised_->factor->nsuper, false);
   for (const SparseColumns* form : batch.forms) {
     for (const std::size_t row : form->rows) {
-      int supernode = supernodeOf(placeOf(row));
+      int supernode = factorised_->supernodeOf(factorised_->placeOf(row));
       while (supernode >= 0 && !on_path[static_cast<std::size_t>(supernode)]) {
         on_path[static_cast<std::size_t>(supernode)] = true;
         path.push_back(supernode);
         const int own = first_columns[supernode + 1] - first_columns[supernode];
         const int all = row_starts[supernode + 1] - row_starts[supernode];
-        supernode = all > own ? supernodeOf(static_cast<std::size_t>(row_numbers[row_starts[supernode] + own])) : -1;
+        supernode = all > own
+                        ? factorised_->supernodeOf(static_cast<std::size_t>(row_numbers[row_starts[supernode] + own]))
+                        : -1;
       }
     }
   }
@@ -359,20 +289,20 @@ std::vector<int> NormalMatrix::Impl::pathsOf(const FormBatch& batch, std::vector
 
 /// Forward substitution for up to kFormColumns columns at once, side by side in the rows of the workspace.
 void NormalMatrix::Impl::solveBatch(const FormBatch& batch, FormWorkspace& workspace) const {
-  const auto* first_columns = static_cast<const int*>(factor_->super);
-  const auto* row_starts = static_cast<const int*>(factor_->pi);
-  const auto* value_starts = static_cast<const int*>(factor_->px);
-  const auto* row_numbers = static_cast<const int*>(factor_->s);
-  const auto* values = static_cast<const double*>(factor_->x);
+  const auto* first_columns = static_cast<const int*>(factorised_->factor->super);
+  const auto* row_starts = static_cast<const int*>(factorised_->factor->pi);
+  const auto* value_starts = static_cast<const int*>(factorised_->factor->px);
+  const auto* row_numbers = static_cast<const int*>(factorised_->factor->s);
+  const auto* values = static_cast<const double*>(factorised_->factor->x);
   // All zero between calls: only rows of the path are ever written, and they are cleared again below.
   FormRows& work = workspace.rows;
-  if (work.rows() != static_cast<Eigen::Index>(factor_->n)) {
-    work = FormRows::Zero(static_cast<Eigen::Index>(factor_->n), kFormColumns);
+  if (work.rows() != static_cast<Eigen::Index>(factorised_->factor->n)) {
+    work = FormRows::Zero(static_cast<Eigen::Index>(factorised_->factor->n), kFormColumns);
   }
   Eigen::Index column = 0;
   for (const SparseColumns* form : batch.forms) {
     for (std::size_t k = 0; k < form->rows.size(); ++k) {
-      work.row(static_cast<Eigen::Index>(placeOf(form->rows[k]))).segment(column, form->count) +=
+      work.row(static_cast<Eigen::Index>(factorised_->placeOf(form->rows[k]))).segment(column, form->count) +=
           form->values[k].head(form->count).transpose();
     }
     column += form->count;
@@ -406,7 +336,7 @@ std::vector<Eigen::Matrix4d> NormalMatrix::Impl::inverseForms(const std::vector<
   std::vector<std::pair<std::size_t, std::size_t>> order;
   for (std::size_t k = 0; k < forms.size(); ++k) {
     std::size_t last = 0;
-    for (const std::size_t row : forms[k].rows) last = std::max(last, placeOf(row));
+    for (const std::size_t row : forms[k].rows) last = std::max(last, factorised_->placeOf(row));
     order.emplace_back(last, k);
   }
   std::sort(order.begin(), order.end());
@@ -423,7 +353,7 @@ std::vector<Eigen::Matrix4d> NormalMatrix::Impl::inverseForms(const std::vector<
   };
   constexpr std::size_t kWorthAThread = 60'000;  // rows; small meshes are mostly solved aside of a large one
   std::future<void> second_half;
-  if (batches.size() * factor_->n >= kWorthAThread) {
+  if (batches.size() * factorised_->factor->n >= kWorthAThread) {
     second_half = onSecondThread([&] { solveRange(batches.size() / 2, batches.size(), form_workspaces_[1]); });
   }
   const std::size_t middle = second_half.valid() ? batches.size() / 2 : batches.size();
@@ -450,7 +380,10 @@ void NormalMatrix::forgetFactor() {
   impl_->forgetFactor();
 }
 bool NormalMatrix::hasFactorFor(const Objective& objective) const {
-  return impl_->hasFactor(objective.size());
+  return impl_->hasFactorFor(objective);
+}
+bool NormalMatrix::adaptFactor(const Objective& objective, const double* x) {
+  return impl_->adaptFactor(objective, x);
 }
 bool NormalMatrix::solve(const Eigen::VectorXd& right, Eigen::VectorXd& solution) {
   return impl_->solve(right, solution);

@@ -31,8 +31,12 @@ class NormalMatrix {
 
   /// So that the next solve() is after a factorise().
   void forgetFactor();
-  /// A factor is there and fits the size of `objective`.
+  /// There is a factor of the nodes of `objective`.
   [[nodiscard]] bool hasFactorFor(const Objective& objective) const;
+
+  /// Makes the last factor one for `objective` at `x`, roughly, where it has the same nodes and up to two anchors more:
+  /// a minimiser starts with it in a third of the time of a factorisation. False: factorise.
+  [[nodiscard]] bool adaptFactor(const Objective& objective, const double* x);
 
   /// Solves with the last factor.
   [[nodiscard]] bool solve(const Eigen::VectorXd& right, Eigen::VectorXd& solution);

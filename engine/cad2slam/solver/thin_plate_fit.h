@@ -27,8 +27,12 @@ class ThinPlateFit {
                                                    std::optional<double> lambda = {});
   static constexpr std::size_t kMostPairs = 600;  ///< the work grows with their cube
 
-  [[nodiscard]] Eigen::Vector2d operator*(const Eigen::Vector2d& point) const;
-  [[nodiscard]] Eigen::Matrix2d jacobian(const Eigen::Vector2d& point) const;
+  [[nodiscard]] Eigen::Vector2d operator*(const Eigen::Vector2d& point) const { return at(point).place; }
+  struct Linearisation {
+    Eigen::Vector2d place;     ///< f(point)
+    Eigen::Matrix2d jacobian;  ///< df / dpoint
+  };
+  [[nodiscard]] Linearisation at(const Eigen::Vector2d& point) const;
 
   /// For each pair f(p_i) - q_i of the spline of all other pairs, with the same lambda (closed form).
   [[nodiscard]] const std::vector<Eigen::Vector2d>& leaveOneOut() const { return leave_one_out_; }
@@ -40,14 +44,16 @@ class ThinPlateFit {
   [[nodiscard]] double sigma(const Eigen::Vector2d& point) const;
 
  private:
+  struct FromKnots;
   ThinPlateFit() = default;
   [[nodiscard]] Eigen::Vector2d unitFrom(const Eigen::Vector2d& point) const { return (point - center_) / unit_m_; }
+  [[nodiscard]] FromKnots fromKnots(const Eigen::Vector2d& point) const;
   [[nodiscard]] Eigen::VectorXd basisAt(const Eigen::Vector2d& point) const;
 
   // Sources are moved to their mean and scaled to unit size: U mixes lengths of very different powers.
   Eigen::Vector2d center_ = Eigen::Vector2d::Zero();
   double unit_m_ = 1.0;
-  std::vector<Eigen::Vector2d> knots_;
+  Eigen::Array<double, Eigen::Dynamic, 2> knots_;
   Eigen::Matrix<double, Eigen::Dynamic, 2> coefficients_;  ///< one row for each knot, then for 1, x, y
   std::vector<Eigen::Vector2d> leave_one_out_;
   std::vector<double> weights_;

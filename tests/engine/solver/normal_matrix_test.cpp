@@ -95,6 +95,7 @@ class NormalMatrixTest : public QObject {
   void inverseFormIsThatOfADenseMatrix_data() { models(); }
   void inverseFormIsThatOfADenseMatrix();
   void followsAChangeOfAnchors();
+  void aFactorTakesUpNewAnchors();
   void knowsWhatItCanNotFactorise();
 
  private:
@@ -184,6 +185,36 @@ void NormalMatrixTest::followsAChangeOfAnchors() {
     QVERIFY(normal.solve(right, solution));
     QVERIFY((dense * solution - right).norm() < 1e-8 * right.norm());
   }
+}
+
+/// The factor of nine anchors stands in for that of ten and eleven, but not of more.
+void NormalMatrixTest::aFactorTakesUpNewAnchors() {
+  const Case made = makeCase(true, 12);
+  const auto with = [&](std::size_t anchors) {
+    Case fewer = made;
+    fewer.objective.anchors.resize(anchors);
+    return fewer;
+  };
+  NormalMatrix normal;
+  QVERIFY(!normal.adaptFactor(made.objective, made.x.data()));
+  QVERIFY(normal.analyse(with(9).objective));
+  QVERIFY(normal.factorise(with(9).objective, made.x.data(), 0.0));
+  for (const std::size_t anchors : {9, 11, 10}) {
+    const Case more = with(anchors);
+    QVERIFY(normal.analyse(more.objective));  // for the next factorisation: the factor stays
+    QVERIFY(normal.adaptFactor(more.objective, more.x.data()));
+    const MatrixXd dense = denseNormalMatrix(more);
+    const VectorXd right = VectorXd::LinSpaced(dense.rows(), -1.0, 2.0);
+    VectorXd solution;
+    QVERIFY(normal.solve(right, solution));
+    QVERIFY((dense * solution - right).norm() < 1e-8 * right.norm());
+  }
+  QVERIFY(!normal.adaptFactor(made.objective, made.x.data()));
+  Case other_nodes = with(9);
+  std::swap(other_nodes.objective.active_nodes[0], other_nodes.objective.active_nodes[1]);
+  QVERIFY(!normal.adaptFactor(other_nodes.objective, made.x.data()));
+  normal.forgetFactor();
+  QVERIFY(!normal.adaptFactor(with(9).objective, made.x.data()));
 }
 
 void NormalMatrixTest::knowsWhatItCanNotFactorise() {
