@@ -105,12 +105,15 @@ class Heartbeat {
   double longest_waited_ = 0.0;
 };
 
+/// Sleeps between events as the program's own event loop does: a spinning one would take a processor from the workers.
 bool waitFor(const std::function<bool()>& done, int patience_ms = 60'000) {
+  QTimer alarm;  // so that it never sleeps for longer, whatever else happens
+  alarm.start(20);
   QElapsedTimer since;
   since.start();
   while (!done()) {
     if (since.elapsed() > patience_ms) return false;
-    QCoreApplication::processEvents(QEventLoop::AllEvents | QEventLoop::WaitForMoreEvents, 20);
+    QCoreApplication::processEvents(QEventLoop::AllEvents | QEventLoop::WaitForMoreEvents);
   }
   return true;
 }
