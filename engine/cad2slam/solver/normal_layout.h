@@ -39,15 +39,16 @@ class NormalLayout {
   NormalLayout(const NormalLayout&) = delete;
   NormalLayout& operator=(const NormalLayout&) = delete;
 
-  [[nodiscard]] bool isFor(const Couplings& couplings, int unknowns) const {
-    return unknowns == unknowns_ && couplings == couplings_;
+  [[nodiscard]] bool isFor(const Couplings& couplings, int unknowns_of_node) const {
+    return unknowns_of_node == unknowns && couplings == couplings_;
   }
   [[nodiscard]] std::size_t placeOf(std::size_t unknown) const {
-    const auto b = static_cast<std::size_t>(unknowns_);
+    const auto b = static_cast<std::size_t>(unknowns);
     return places[unknown / b] * b + unknown % b;
   }
   [[nodiscard]] int supernodeOf(std::size_t column) const { return column_supernode_[column]; }
 
+  const int unknowns;                 // of a node
   Couplings later;                    // between places
   std::vector<std::uint32_t> places;  // of nodes in the order
   double operations = 0.0;
@@ -55,11 +56,10 @@ class NormalLayout {
   cholmod_factor* factor = nullptr;
 
  private:
-  NormalLayout(Couplings couplings, int unknowns, CholmodSession& session)
-      : couplings_(std::move(couplings)), unknowns_(unknowns), session_(session) {}
+  NormalLayout(Couplings couplings, int unknowns_of_node, CholmodSession& session)
+      : unknowns(unknowns_of_node), couplings_(std::move(couplings)), session_(session) {}
 
   Couplings couplings_;  // between nodes
-  int unknowns_;
   CholmodSession& session_;
   std::vector<int> column_supernode_;
 };

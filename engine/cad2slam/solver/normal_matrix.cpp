@@ -53,7 +53,7 @@ class NormalMatrix::Impl {
   [[nodiscard]] double operations() const { return layout_ ? layout_->operations : 0.0; }
   void forgetFactor() { factorised_.reset(); }
   [[nodiscard]] bool hasFactorFor(const Objective& objective) const {
-    return factorised_ && unknowns_ == objective.unknowns && nodes_ == objective.active_nodes;
+    return factorised_ && factorised_->unknowns == objective.unknowns && nodes_ == objective.active_nodes;
   }
 
  private:
@@ -78,7 +78,6 @@ class NormalMatrix::Impl {
   CholmodSession session_;
   std::shared_ptr<NormalLayout> layout_;      // as last analysed
   std::shared_ptr<NormalLayout> factorised_;  // of the last factor, which may be of before the last edit
-  int unknowns_ = 0;                          // of a factorised node
   std::vector<NodeIndex> nodes_;              // of the mesh that are factorised
   std::vector<NodeBlend> blends_;             // of the anchors that are factorised
   // Of anchors added to the factor, with their Jacobian J and weights W: N^-1 J^T and (W^-1 + J N^-1 J^T)^-1.
@@ -185,7 +184,6 @@ bool NormalMatrix::Impl::factorise(const Objective& objective, const double* x, 
   if (cholmod_factorize(layout_->matrix, factor, common) == 0 || common->status != CHOLMOD_OK) return false;
   if (factor->minor != factor->n) return false;
   factorised_ = layout_;
-  unknowns_ = objective.unknowns;
   nodes_ = objective.active_nodes;
   blends_.clear();
   for (const AnchorTerm& anchor : objective.anchors) blends_.push_back(anchor.blend);
@@ -196,10 +194,11 @@ bool NormalMatrix::Impl::factorise(const Objective& objective, const double* x, 
 /// The solution for each column of `right`, with the factor alone.
 bool NormalMatrix::Impl::solveWithFactor(const Columns& right, Eigen::Ref<Eigen::MatrixXd> solution) {
   const std::vector<std::uint32_t>& places = factorised_->places;
+  const int unknowns = factorised_->unknowns;
   in_places_.resize(right.rows(), right.cols());
   for (std::size_t node = 0; node < places.size(); ++node) {
-    in_places_.middleRows(places[node] * unknowns_, unknowns_) =
-        right.middleRows(static_cast<Eigen::Index>(node) * unknowns_, unknowns_);
+    in_places_.middleRows(places[node] * unknowns, unknowns) =
+        right.middleRows(static_cast<Eigen::Index>(node) * unknowns, unknowns);
   }
   cholmod_dense view{};
   view.nrow = static_cast<std::size_t>(right.rows());
@@ -215,8 +214,8 @@ bool NormalMatrix::Impl::solveWithFactor(const Columns& right, Eigen::Ref<Eigen:
   }
   const Eigen::Map<const Eigen::MatrixXd> solved(static_cast<const double*>(solution_->x), right.rows(), right.cols());
   for (std::size_t node = 0; node < places.size(); ++node) {
-    solution.middleRows(static_cast<Eigen::Index>(node) * unknowns_, unknowns_) =
-        solved.middleRows(places[node] * unknowns_, unknowns_);
+    solution.middleRows(static_cast<Eigen::Index>(node) * unknowns, unknowns) =
+        solved.middleRows(places[node] * unknowns, unknowns);
   }
   return solution.allFinite();
 }
@@ -239,8 +238,8 @@ bool NormalMatrix::Impl::adaptFactor(const Objective& objective, const double* x
     const AnchorTerm& anchor = *added[a];
     const auto first = static_cast<Eigen::Index>(2 * a);
     for (std::size_t k = 0; k < anchor.blend.count; ++k) {
-      jacobian.block(anchor.blend.nodes[k] * unknowns_, first, unknowns_, 2) =
-          derivativeOf(objective, anchor, k, x).leftCols(unknowns_).transpose();
+      jacobian.block(anchor.blend.nodes[k] * objective.unknowns, first, objective.unknowns, 2) =
+          derivativeOf(objective, anchor, k, x).leftCols(objective.unknowns).transpose();
     }
     weights.segment<2>(first).setConstant(weightOf(objective, anchor, x));
   }
@@ -263,11 +262,12 @@ bool NormalMatrix::Impl::solve(const Eigen::VectorXd& right, Eigen::VectorXd& so
 
 /// The supernodes on the paths from the non-zeros to the root, in elimination order.
 std::vector<int> NormalMatrix::Impl::pathsOf(const FormBatch& batch, std::vector<bool>& on_path) const {
-  const auto* first_columns = static_cast<const int*>(factorised_->factor->super);
-  const auto* row_starts = static_cast<const int*>(factorised_->factor->pi);
-  const auto* row_numbers = static_cast<const int*>(factorised_->factor->s);
+  const cholmod_factor* factor = factorised_->factor;
+  const auto* first_columns = static_cast<const int*>(factor->super);
+  const auto* row_starts = static_cast<const int*>(factor->pi);
+  const auto* row_numbers = static_cast<const int*>(factor->s);
   std::vector<int> path;
-  on_path.resize(factorised_->factor->nsuper, false);
+  on_path.resize(factor->nsuper, false);
   for (const SparseColumns* form : batch.forms) {
     for (const std::size_t row : form->rows) {
       int supernode = factorised_->supernodeOf(factorised_->placeOf(row));
@@ -289,15 +289,16 @@ std::vector<int> NormalMatrix::Impl::pathsOf(const FormBatch& batch, std::vector
 
 /// Forward substitution for up to kFormColumns columns at once, side by side in the rows of the workspace.
 void NormalMatrix::Impl::solveBatch(const FormBatch& batch, FormWorkspace& workspace) const {
-  const auto* first_columns = static_cast<const int*>(factorised_->factor->super);
-  const auto* row_starts = static_cast<const int*>(factorised_->factor->pi);
-  const auto* value_starts = static_cast<const int*>(factorised_->factor->px);
-  const auto* row_numbers = static_cast<const int*>(factorised_->factor->s);
-  const auto* values = static_cast<const double*>(factorised_->factor->x);
+  const cholmod_factor* factor = factorised_->factor;
+  const auto* first_columns = static_cast<const int*>(factor->super);
+  const auto* row_starts = static_cast<const int*>(factor->pi);
+  const auto* value_starts = static_cast<const int*>(factor->px);
+  const auto* row_numbers = static_cast<const int*>(factor->s);
+  const auto* values = static_cast<const double*>(factor->x);
   // All zero between calls: only rows of the path are ever written, and they are cleared again below.
   FormRows& work = workspace.rows;
-  if (work.rows() != static_cast<Eigen::Index>(factorised_->factor->n)) {
-    work = FormRows::Zero(static_cast<Eigen::Index>(factorised_->factor->n), kFormColumns);
+  if (work.rows() != static_cast<Eigen::Index>(factor->n)) {
+    work = FormRows::Zero(static_cast<Eigen::Index>(factor->n), kFormColumns);
   }
   Eigen::Index column = 0;
   for (const SparseColumns* form : batch.forms) {
