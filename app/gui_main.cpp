@@ -3,6 +3,7 @@
 #include "app/version.h"
 #include "ui/main_window/appearance.h"
 #include "ui/main_window/main_window.h"
+#include "ui/main_window/process_setup.h"
 #include "ui/main_window/program_actions.h"
 #include "ui/main_window/project_files.h"
 #include "ui/main_window/recovery.h"
@@ -12,6 +13,7 @@
 #include <QSettings>
 
 int main(int argc, char** argv) {
+  cad2slam::setUpProcess();
   QApplication app(argc, argv);
   QApplication::setOrganizationName(QStringLiteral("cad2slam"));
   QApplication::setApplicationName(QStringLiteral("cad2slam"));

@@ -11,6 +11,7 @@
 #include "ui/document/anchor_commands.h"
 #include "ui/document/project_commands.h"
 #include "ui/main_window/main_window.h"
+#include "ui/main_window/process_setup.h"
 #include "ui/main_window/project_files.h"
 #include "ui/main_window/recovery.h"
 #include "ui/main_window/tips.h"
@@ -158,6 +159,7 @@ bool writeProject(const QString& folder, const AnchorList& anchors, const QStrin
 int main(int argc, char** argv) {
   qputenv("QT_QPA_PLATFORM", qEnvironmentVariable("QT_QPA_PLATFORM", QStringLiteral("offscreen")).toLocal8Bit());
   QStandardPaths::setTestModeEnabled(true);
+  setUpProcess();
   QApplication app(argc, argv);
   QCoreApplication::setOrganizationName(QStringLiteral("cad2slam-bench"));
   const QTemporaryDir scratch;

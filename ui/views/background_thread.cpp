@@ -2,15 +2,44 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/views/background_thread.h"
 
-#include <sys/resource.h>
+#include <sched.h>
+#include <sys/syscall.h>
+#include <unistd.h>
+
+#include <cstdint>
 
 namespace cad2slam {
+namespace {
+
+/// struct sched_attr of the kernel, version 0: the C library has it since 2.41 only, and the kernel's own header cannot
+/// be included beside <sched.h> of before.
+struct SchedulingWish {
+  std::uint32_t size = sizeof(SchedulingWish);
+  std::uint32_t policy = SCHED_OTHER;
+  std::uint64_t flags = 0;
+  std::int32_t nice = 0;
+  std::uint32_t priority = 0;
+  std::uint64_t slice_ns = 0;  // 0: what the kernel takes itself. Before Linux 6.12 it is ignored.
+  std::uint64_t deadline = 0;
+  std::uint64_t period = 0;
+};
+
+/// For the calling thread alone. Where it is refused, all threads are equal.
+bool schedule(const SchedulingWish& wish) {
+  return syscall(SYS_sched_setattr, 0, &wish, 0U) == 0;
+}
+
+}  // namespace
 
 void giveWayToWindow() {
-  constexpr int kNice = 5;  // a third of the processor where the window wants all of it
-  // In Linux, of this thread alone; where it is refused, all threads are equal.
-  thread_local const int refused = setpriority(PRIO_PROCESS, 0, kNice);
-  static_cast<void>(refused);
+  thread_local const bool is_done =
+      schedule({.nice = 10});  // a tenth of the processor where the window wants all of it
+  static_cast<void>(is_done);
+}
+
+void comeBeforeBackground() {
+  constexpr std::uint64_t kSlice_ns = 1'000'000;
+  static_cast<void>(schedule({.slice_ns = kSlice_ns}));
 }
 
 }  // namespace cad2slam

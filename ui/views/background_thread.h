@@ -9,4 +9,9 @@ namespace cad2slam {
 /// scheduler.) Cheap to call again.
 void giveWayToWindow();
 
+/// Says that the calling thread, and those it starts from now on, work for a short time and want to begin at once: the
+/// window's thread, and the pool of Qt that fills large areas for it. A thread with a shorter slice need not wait until
+/// another one has used up its own. To be called before there are other threads.
+void comeBeforeBackground();
+
 }  // namespace cad2slam
