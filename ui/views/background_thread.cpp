@@ -3,9 +3,11 @@
 #include "ui/views/background_thread.h"
 
 #include <sched.h>
+#include <sys/resource.h>
 #include <sys/syscall.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdint>
 
 namespace cad2slam {
@@ -24,6 +26,11 @@ struct SchedulingWish {
   std::uint64_t period = 0;
 };
 
+/// Of the calling thread. Whoever starts the program with `nice` has said how much it may take.
+int ownNice() {
+  return getpriority(PRIO_PROCESS, 0);
+}
+
 /// For the calling thread alone. Where it is refused, all threads are equal.
 bool schedule(const SchedulingWish& wish) {
   return syscall(SYS_sched_setattr, 0, &wish, 0U) == 0;
@@ -32,14 +39,14 @@ bool schedule(const SchedulingWish& wish) {
 }  // namespace
 
 void giveWayToWindow() {
-  thread_local const bool is_done =
-      schedule({.nice = 10});  // a tenth of the processor where the window wants all of it
+  constexpr int kNice = 10;  // a tenth of the processor where the window wants all of it
+  thread_local const bool is_done = schedule({.nice = std::max(kNice, ownNice())});
   static_cast<void>(is_done);
 }
 
 void comeBeforeBackground() {
   constexpr std::uint64_t kSlice_ns = 1'000'000;
-  static_cast<void>(schedule({.slice_ns = kSlice_ns}));
+  static_cast<void>(schedule({.nice = ownNice(), .slice_ns = kSlice_ns}));
 }
 
 }  // namespace cad2slam
