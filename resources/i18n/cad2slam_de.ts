@@ -2803,6 +2803,9 @@ Karten-YAML, PGM, PNG oder TIFF</translation>
             <numerusform>%n weitere Meldungen</numerusform>
         </translation>
     </message>
+</context>
+<context>
+    <name>cad2slam::MessageRow</name>
     <message>
         <source>Close this message</source>
         <translation>Diese Meldung schließen</translation>

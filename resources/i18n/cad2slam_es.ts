@@ -2803,6 +2803,9 @@ YAML de mapa, PGM, PNG o TIFF</translation>
             <numerusform>%n mensajes más</numerusform>
         </translation>
     </message>
+</context>
+<context>
+    <name>cad2slam::MessageRow</name>
     <message>
         <source>Close this message</source>
         <translation>Cerrar este mensaje</translation>

@@ -25,6 +25,8 @@ struct AnchorJudgement {
   std::optional<double> residual_m;
   std::optional<double> leave_one_out_m;
   bool is_check = false;  ///< disabled: its numbers tell how well the others predict it
+
+  friend bool operator==(const AnchorJudgement&, const AnchorJudgement&) = default;
 };
 
 /// Numbers of the footer; metres.

@@ -47,7 +47,6 @@ using enum ActionId;
 namespace {
 
 constexpr int kPixmapCache_kB = 32 * 1024;
-constexpr qint64 kSlow_ms = 500;
 
 /// A view under its heading.
 QWidget* titled(const QString& title, QWidget* extra, MapView* view) {
@@ -254,11 +253,8 @@ void MainWindow::connectViewActions() {
   on(kNextPart, [this] { goToNextPart(); });
   on(kSolveAgain, [this] { session_.alignment().solveNow(); });
   on(kCancelSolve, [this] { session_.alignment().cancel(); });
-  connect(status_->chip(), &QToolButton::clicked, this, [this] {
-    const Alignment& alignment = session_.alignment();
-    const bool busy = alignment.status() == AlignmentStatus::kSolving || alignment.areOthersBusy();
-    busy ? session_.alignment().cancel() : session_.alignment().solveNow();
-  });
+  connect(status_->chip(), &QToolButton::clicked, this,
+          [this] { busy_.isShown() ? session_.alignment().cancel() : session_.alignment().solveNow(); });
 
   const auto toggle = [&](ActionId id, bool checked, auto work) {
     connect((*actions_)[id], &QAction::toggled, this, work);
@@ -317,15 +313,17 @@ void MainWindow::connectSession() {
     refreshStatus();
   });
   connect(&session_.alignment(), &Alignment::othersChanged, this, &MainWindow::refreshStatus);
+  connect(&busy_, &BusyDelay::becameLong, this, [this] {
+    refreshTable();
+    refreshStatus();
+  });
   connect(&session_.alignment(), &Alignment::progressed, this, [this](int iteration) {
-    // Most solves are over before anybody could read it.
-    if (session_.alignment().status() == AlignmentStatus::kSolving && solving_since_.elapsed() > kSlow_ms)
+    if (session_.alignment().status() == AlignmentStatus::kSolving && busy_.isShown())
       status_->setChip(tr("solving, step %1").arg(iteration), ChipLook::kBusy);
   });
   connect(&session_.alignment(), &Alignment::statusChanged, this, [this] {
-    if (session_.alignment().status() == AlignmentStatus::kSolving) solving_since_.start();
-    refreshTable();
     refreshStatus();
+    refreshTable();
     const auto& error = session_.alignment().error();
     if (session_.alignment().status() == AlignmentStatus::kFailed && error) {
       QString text = toSentence(*error);
@@ -399,17 +397,19 @@ void MainWindow::refreshHint() {
 
 void MainWindow::refreshStatus() {
   refreshHint();
-  const ChipState chip = chipOf(session_);
-  status_->setChip(chip.text, chip.look);
-  status_->chip()->setToolTip(chip.tooltip);
-  (*actions_)[kCancelSolve]->setEnabled(session_.alignment().status() == AlignmentStatus::kSolving ||
-                                        session_.alignment().areOthersBusy());
+  busy_.setBusy(session_.alignment().status() == AlignmentStatus::kSolving || session_.alignment().areOthersBusy());
+  (*actions_)[kCancelSolve]->setEnabled(busy_.isShown() || session_.alignment().areOthersBusy());
+  if (!busy_.isBrief()) {
+    const ChipState chip = chipOf(session_);
+    status_->setChip(chip.text, chip.look);
+    status_->chip()->setToolTip(chip.tooltip);
+  }
   for (const ActionId id : {kLink, kOtherFollows, kFollowOther})
     (*actions_)[id]->setEnabled(session_.alignment().result() != nullptr);
 }
 
 void MainWindow::refreshTable() {
-  const bool stale = !session_.alignment().isCurrent();
+  const bool stale = !session_.alignment().isCurrent() && !busy_.isBrief();
   anchor_panel_->model().setJudgements(session_.judgements(), stale);
   anchor_panel_->setSummary(session_.summary(), stale);
 }

@@ -3,9 +3,9 @@
 #pragma once
 
 #include "ui/main_window/actions.h"
+#include "ui/main_window/busy_delay.h"
 #include "ui/main_window/session.h"
 
-#include <QElapsedTimer>
 #include <QMainWindow>
 
 #include <memory>
@@ -94,7 +94,7 @@ class MainWindow : public QMainWindow {
   DiagnosisMessages* diagnosis_ = nullptr;
   Recovery* recovery_ = nullptr;
   TestPoses* test_poses_ = nullptr;
-  QElapsedTimer solving_since_;
+  BusyDelay busy_;
   bool views_restored_ = false;
 };
 

@@ -10,6 +10,7 @@
 #include <QGuiApplication>
 #include <QPalette>
 
+#include <algorithm>
 #include <limits>
 #include <utility>
 
@@ -68,15 +69,25 @@ void AnchorTableModel::onChanged(const ChangeEvent& event) {
     beginResetModel();
     row_count_ = static_cast<int>(document_.anchors().size());
     endResetModel();
-  } else if (event.what & (Change::kAnchors | Change::kAnchorTexts | Change::kPreferences)) {
-    if (row_count_ > 0) emit dataChanged(index(0, 0), index(row_count_ - 1, kColumnCount - 1));
+  } else if (!event.edited.empty()) {
+    int first = row_count_;
+    int last = -1;
+    for (const AnchorId id : event.edited) {
+      const int row = rowOf(id).value_or(-1);
+      if (row < 0) continue;
+      first = std::min(first, row);
+      last = std::max(last, row);
+    }
+    if (last >= 0) emit dataChanged(index(first, 0), index(last, kColumnCount - 1));
   }
 }
 
 void AnchorTableModel::setJudgements(std::map<AnchorId, AnchorJudgement> judgements, bool stale) {
+  // Sorting and painting hundreds of rows takes milliseconds, and nothing is new with most changes of state.
+  if (judgements == judgements_ && stale == stale_) return;
   judgements_ = std::move(judgements);
   stale_ = stale;
-  if (row_count_ > 0) emit dataChanged(index(0, kEnabled), index(row_count_ - 1, kColumnCount - 1));
+  if (row_count_ > 0) emit dataChanged(index(0, kResidual), index(row_count_ - 1, kFlag));
 }
 
 AnchorId AnchorTableModel::idOfRow(int row) const {

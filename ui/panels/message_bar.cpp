@@ -2,10 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/panels/message_bar.h"
 
-#include <QFrame>
-#include <QHBoxLayout>
-#include <QLabel>
-#include <QPushButton>
 #include <QTimer>
 #include <QToolButton>
 #include <QVBoxLayout>
@@ -27,6 +23,15 @@ QString dismissalOf(const Message& message) {
 MessageBar::MessageBar(QWidget* parent) : QWidget(parent), layout_(new QVBoxLayout(this)) {
   layout_->setContentsMargins(0, 0, 0, 0);
   layout_->setSpacing(1);
+  more_ = new QToolButton;
+  more_->setObjectName(QStringLiteral("moreMessages"));
+  more_->setAutoRaise(true);
+  more_->hide();
+  connect(more_, &QToolButton::clicked, this, [this] {
+    unfolded_ = !unfolded_;
+    rebuild();
+  });
+  layout_->addWidget(more_);
   setVisible(false);
   setAccessibleName(tr("Messages"));
 }
@@ -67,69 +72,45 @@ void MessageBar::showGroup(const QString& prefix, std::vector<Message> messages)
   rebuild();
 }
 
-void MessageBar::rebuild() {
-  while (QLayoutItem* item = layout_->takeAt(0)) {
-    if (QWidget* widget = item->widget()) {
-      widget->hide();
-      widget->deleteLater();  // the button that was pressed may be one of them
-    }
-    delete item;
+MessageRow* MessageBar::rowFor(const Message& message, std::vector<MessageRow*>& unused) {
+  const auto before = std::find_if(unused.begin(), unused.end(),
+                                   [&](const MessageRow* row) { return row->message().id == message.id; });
+  MessageRow* row = nullptr;
+  if (before != unused.end()) {
+    row = *before;
+    unused.erase(before);
+  } else {
+    row = new MessageRow(this);
+    connect(row, &MessageRow::closed, this, [this, row] {
+      const QString id = row->message().id;
+      dismissed_.push_back(dismissalOf(row->message()));
+      remove(id);
+    });
   }
+  row->setMessage(message);
+  return row;
+}
+
+void MessageBar::rebuild() {
   std::stable_sort(messages_.begin(), messages_.end(),
                    [](const Message& a, const Message& b) { return a.severity > b.severity; });
   if (messages_.size() <= kShown) unfolded_ = false;
   const std::size_t shown = unfolded_ ? messages_.size() : std::min(messages_.size(), kShown);
-  for (std::size_t i = 0; i < shown; ++i) layout_->addWidget(rowOf(messages_[i]));
-  if (messages_.size() > kShown) {
-    auto* more = new QToolButton(this);
-    more->setAutoRaise(true);
-    more->setText(unfolded_ ? tr("Show fewer") : tr("%n more message(s)", nullptr, int(messages_.size() - shown)));
-    connect(more, &QToolButton::clicked, this, [this] {
-      unfolded_ = !unfolded_;
-      rebuild();
-    });
-    layout_->addWidget(more);
+  std::vector<MessageRow*> unused = std::exchange(rows_, {});
+  for (std::size_t i = 0; i < shown; ++i) {
+    rows_.push_back(rowFor(messages_[i], unused));
+    const QLayoutItem* there = layout_->itemAt(static_cast<int>(i));
+    if (!there || there->widget() != rows_.back()) layout_->insertWidget(static_cast<int>(i), rows_.back());
   }
+  for (MessageRow* row : unused) {
+    row->hide();
+    layout_->removeWidget(row);
+    row->deleteLater();  // the button that was pressed may be in it
+  }
+  if (messages_.size() > kShown)
+    more_->setText(unfolded_ ? tr("Show fewer") : tr("%n more message(s)", nullptr, int(messages_.size() - shown)));
+  more_->setVisible(messages_.size() > kShown);
   setVisible(!messages_.empty());
-}
-
-QWidget* MessageBar::rowOf(const Message& message) {
-  auto* row = new QFrame(this);
-  row->setObjectName(QStringLiteral("message"));
-  // One accent at the left tells the severity, and a sign says the same without colour; text keeps its normal contrast.
-  static constexpr const char* kColors[] = {"#2a78c8", "#d98a00", "#c2185b"};
-  static constexpr const char16_t* kSigns[] = {u"ℹ", u"▲", u"■"};
-  const auto at = static_cast<std::size_t>(message.severity);
-  row->setStyleSheet(QStringLiteral("#message { border: none; border-left: 5px solid %1; background: palette(base); }")
-                         .arg(QLatin1String(kColors[at])));
-  auto* layout = new QHBoxLayout(row);
-  layout->setContentsMargins(10, 3, 6, 3);
-  auto* sign = new QLabel(QString::fromUtf16(kSigns[at]), row);
-  sign->setStyleSheet(QStringLiteral("color: %1; font-weight: bold").arg(QLatin1String(kColors[at])));
-  layout->addWidget(sign);
-  auto* text = new QLabel(message.text, row);
-  text->setWordWrap(true);
-  text->setTextInteractionFlags(Qt::TextSelectableByMouse);
-  QSizePolicy policy(QSizePolicy::Expanding, QSizePolicy::Preferred);
-  policy.setHeightForWidth(true);  // or a second line is cut
-  text->setSizePolicy(policy);
-  layout->addWidget(text, 1);
-  for (const Cure& cure : message.cures) {
-    auto* button = new QPushButton(cure.label, row);
-    connect(button, &QPushButton::clicked, this, [run = cure.run] { run(); });
-    layout->addWidget(button);
-  }
-  auto* close = new QToolButton(row);
-  close->setAutoRaise(true);
-  close->setText(QStringLiteral("✕"));
-  close->setAccessibleName(tr("Close this message"));
-  close->setToolTip(tr("Close this message"));
-  connect(close, &QToolButton::clicked, this, [this, message] {
-    dismissed_.push_back(dismissalOf(message));
-    remove(message.id);
-  });
-  layout->addWidget(close);
-  return row;
 }
 
 }  // namespace cad2slam

@@ -2,31 +2,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "ui/panels/message_row.h"
+
 #include <QString>
 #include <QWidget>
 
-#include <functional>
 #include <vector>
 
+class QToolButton;
 class QVBoxLayout;
 
 namespace cad2slam {
-
-enum class Severity { kNote, kWarning, kError };
-
-/// A button beside a message that does something about it.
-struct Cure {
-  QString label;
-  std::function<void()> run;
-};
-
-struct Message {
-  QString id;  ///< a later message with the same id takes its place
-  Severity severity = Severity::kNote;
-  QString text;
-  std::vector<Cure> cures;
-  int vanishes_after_ms = 0;  ///< 0: stays until closed or removed
-};
 
 /// Sentences above the views that never block: what is wrong, and the button that cures it. The worst come first; more
 /// than a few are folded away.
@@ -45,9 +31,11 @@ class MessageBar : public QWidget {
 
  private:
   void rebuild();
-  [[nodiscard]] QWidget* rowOf(const Message& message);
+  [[nodiscard]] MessageRow* rowFor(const Message& message, std::vector<MessageRow*>& unused);
 
   QVBoxLayout* layout_;
+  std::vector<MessageRow*> rows_;  // as shown
+  QToolButton* more_;
   std::vector<Message> messages_;
   std::vector<QString> dismissed_;  // id and text of group messages closed by hand
   bool unfolded_ = false;

@@ -43,6 +43,8 @@ void StatusStrip::setChip(const QString& text, ChipLook look) {
   const QString full = QString::fromUtf16(kSigns[at]) + text;
   if (chip_->text() == full) return;
   chip_->setText(full);
+  if (look_ == look) return;  // style sheets are dear
+  look_ = look;
   chip_->setStyleSheet(QStringLiteral("QToolButton { border: 1px solid %1; border-radius: 8px; padding: 1px 8px; "
                                       "color: palette(window-text); }")
                            .arg(QLatin1String(kColors[at])));

@@ -6,6 +6,8 @@
 #include <QString>
 #include <QToolButton>
 
+#include <optional>
+
 class QStatusBar;
 
 namespace cad2slam {
@@ -28,6 +30,7 @@ class StatusStrip {
   QLabel* hint_;
   QLabel* readout_;
   QToolButton* chip_;
+  std::optional<ChipLook> look_;
 };
 
 }  // namespace cad2slam

@@ -17,6 +17,7 @@ namespace cad2slam::decoration {
 namespace {
 
 const QColor kPanel(255, 255, 255, 225);
+const QColor kRim(160, 162, 165);
 const QColor kInk(25, 28, 32);
 
 double deviceRatio(const QPainter& painter) {
@@ -90,9 +91,10 @@ void paintCompass(QPainter& painter, const QSizeF& view, double rotation_rad, bo
   const QSizeF size = box.size() + 2.0 * QSizeF(kEdge, kEdge);
   const QPixmap compass = sprite::findOrMake(
       QStringLiteral("compass%1_%2").arg(degrees).arg(hovered), size, deviceRatio(painter), [&](QPainter& on_sprite) {
-        on_sprite.setPen(QPen(hovered ? attentionColor() : QColor(0, 0, 0, 90), hovered ? 2.0 : 1.0));
-        on_sprite.setBrush(kPanel);
-        on_sprite.drawEllipse(QRectF(QPointF(kEdge, kEdge), box.size()));
+        QPainterPath rim;
+        rim.addEllipse(QRectF(QPointF(kEdge, kEdge), box.size()));
+        sprite::fillAtOnce(on_sprite, rim, kPanel);
+        on_sprite.strokePath(rim, QPen(hovered ? attentionColor() : kRim, hovered ? 2.0 : 1.0));
         on_sprite.translate(size.width() / 2.0, size.height() / 2.0);
         on_sprite.rotate(-degrees);
         QPainterPath needle;
@@ -121,8 +123,8 @@ void paintChip(QPainter& painter, const QPointF& top_middle, const QString& text
       sprite::findOrMake(key, box.size() + QSizeF(2.0, 2.0), deviceRatio(painter), [&](QPainter& on_sprite) {
         QPainterPath path;
         path.addRoundedRect(box, 9.0, 9.0);
-        on_sprite.fillPath(path, color);
-        on_sprite.strokePath(path, QPen(QColor(255, 255, 255, 200), 1.5));
+        sprite::fillAtOnce(on_sprite, path, color);
+        on_sprite.strokePath(path, QPen(QColor(235, 236, 238), 1.5));
         on_sprite.setFont(font);
         on_sprite.setPen(Qt::white);
         on_sprite.drawText(box.adjusted(12.0, 6.0, -12.0, -6.0), Qt::AlignCenter | Qt::TextWordWrap, text);

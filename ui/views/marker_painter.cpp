@@ -136,6 +136,7 @@ QPixmap MarkerPainter::markerSprite(const Marker& marker, MarkerSize size, doubl
                           .arg(static_cast<int>(size));
   return sprite::findOrMake(key, QSizeF(2.0 * kSpriteHalf_px, 2.0 * kSpriteHalf_px), ratio, [&](QPainter& painter) {
     painter.translate(kSpriteHalf_px, kSpriteHalf_px);
+    painter.setCompositionMode(QPainter::CompositionMode_Source);  // without threads, see sprite_cache.h
     paintMarkerShape(painter, marker, size);
   });
 }
@@ -145,6 +146,7 @@ QPixmap MarkerPainter::letterSprite(const QString& letter, TextPart part, const 
   const QString key = QStringLiteral("letter%1_").arg(look) + bold_key_ + letter;
   const QFontMetricsF metrics(bold_);
   return sprite::findOrMake(key, spriteSize(metrics.horizontalAdvance(letter), metrics), ratio, [&](QPainter& painter) {
+    painter.setCompositionMode(QPainter::CompositionMode_Source);  // without threads, see sprite_cache.h
     QPainterPath path;
     path.addText(QPointF(kTextEdge_px, kTextEdge_px + metrics.ascent()), bold_, letter);
     if (part == TextPart::kInk) {

@@ -60,8 +60,8 @@ class LegendPainter {
       : painter_(painter), font_(font), line_(line), left_(kEdge_px), width_(size.width() - 2.0 * kEdge_px) {
     QPainterPath panel;
     panel.addRoundedRect(QRectF(QPointF(0.5, 0.5), size - QSizeF(1.0, 1.0)), 5.0, 5.0);
-    painter_.fillPath(panel, QColor(255, 255, 255, 228));
-    painter_.strokePath(panel, QPen(QColor(0, 0, 0, 70), 1.0));
+    sprite::fillAtOnce(painter_, panel, QColor(255, 255, 255, 228));
+    painter_.strokePath(panel, QPen(QColor(185, 185, 185), 1.0));
   }
 
   void writeLine(double indent, const QString& text, const QFont& font, const QColor& color) {

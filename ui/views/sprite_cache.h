@@ -3,6 +3,7 @@
 #pragma once
 
 #include <QPainter>
+#include <QPainterPath>
 #include <QPixmap>
 #include <QPixmapCache>
 #include <QSizeF>
@@ -14,12 +15,19 @@ namespace cad2slam {
 
 /// Small pictures that are drawn again and again are kept in QPixmapCache, for all views together.
 ///
-/// Apart from the time to draw, that spares waiting: Qt fills smooth shapes with threads of its own, and those get
-/// their turn late while a solve keeps all processors busy.
+/// Apart from the time to draw, that spares waiting: Qt fills translucent shapes of some size with threads of its own,
+/// and those get their turn late while a solve keeps all processors busy. Opaque ones it fills at once.
 namespace sprite {
 
 inline QString fullKey(const QString& key, double ratio) {
   return QStringLiteral("cad2slam_%1_").arg(qRound(ratio * 100)) + key;
+}
+
+/// Fills with a translucent color what nothing has been drawn on yet: in one go, without threads of Qt.
+inline void fillAtOnce(QPainter& painter, const QPainterPath& path, const QColor& color) {
+  painter.setCompositionMode(QPainter::CompositionMode_Source);
+  painter.fillPath(path, color);
+  painter.setCompositionMode(QPainter::CompositionMode_SourceOver);
 }
 
 /// The one drawn before with this key for screens of `ratio` device pixels per logical pixel, if it is still there.

@@ -8,6 +8,7 @@
 
 #include <QAbstractItemModelTester>
 #include <QFont>
+#include <QSignalSpy>
 #include <QTest>
 
 using namespace cad2slam;
@@ -108,6 +109,29 @@ class AnchorTableModelTest : public QObject {
     QVERIFY(model.data(model.index(0, TableModel::kResidual), Qt::ForegroundRole).isValid());
     model.setJudgements({{1, judgement}}, false);
     QVERIFY(!model.data(model.index(0, TableModel::kResidual), Qt::ForegroundRole).isValid());
+  }
+
+  void onlyWhatIsNewIsAnnounced() {
+    TableModel model(document_);
+    const QSignalSpy changes(&model, &TableModel::dataChanged);
+    AnchorJudgement judgement;
+    judgement.residual_m = 0.1;
+    model.setJudgements({{1, judgement}}, false);
+    QCOMPARE(changes.count(), 1);
+    model.setJudgements({{1, judgement}}, false);
+    QCOMPARE(changes.count(), 1);
+    judgement.residual_m = 0.2;
+    model.setJudgements({{1, judgement}}, false);
+    QCOMPARE(changes.count(), 2);
+    // An edit is announced for the rows of the edited anchors.
+    edit::moveAnchor(document_, 2, Side::kSlam, {7, 8}, document_.newGesture());
+    QCOMPARE(changes.count(), 3);
+    QCOMPARE(changes.at(2).at(0).toModelIndex(), model.index(1, 0));
+    QCOMPARE(changes.at(2).at(1).toModelIndex(), model.index(1, TableModel::kColumnCount - 1));
+    edit::setEnabled(document_, {1, 2}, false);
+    QCOMPARE(changes.count(), 4);
+    QCOMPARE(changes.at(3).at(0).toModelIndex().row(), 0);
+    QCOMPARE(changes.at(3).at(1).toModelIndex().row(), 1);
   }
 
   void everyClassHasItsShapeAndWord() {

@@ -352,22 +352,6 @@ class CheckingTest : public QObject {
     QVERIFY(office.document().anchor(4));
   }
 
-  void aClosedWarningComesBackWithItsReason() {
-    MessageBar bar;
-    const Message line{QStringLiteral("diagnosis-8"), Severity::kWarning, QStringLiteral("all on one line"), {}, 0};
-    const QString group = QStringLiteral("diagnosis-");
-    bar.showGroup(group, {line});
-    auto* close = bar.findChild<QToolButton*>();
-    QVERIFY(close);
-    close->click();
-    QVERIFY(bar.messages().empty());
-    bar.showGroup(group, {line});
-    QVERIFY(bar.messages().empty());  // still the same: it stays closed
-    bar.showGroup(group, {});
-    bar.showGroup(group, {line});
-    QCOMPARE(bar.messages().size(), std::size_t(1));
-  }
-
   void posesAreReadWithPointsAndCommas_data() {
     QTest::addColumn<QByteArray>("text");
     QTest::newRow("commas") << QByteArray("x,y,heading\n12.34,5.67,1.5\n");

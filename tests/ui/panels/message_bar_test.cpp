@@ -1,0 +1,129 @@
+// SPDX-FileCopyrightText: 2026 The CAD2SLAM authors
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/panels/message_bar.h"
+
+#include <QPushButton>
+#include <QTest>
+#include <QToolButton>
+
+using namespace cad2slam;
+
+namespace {
+
+Message finding(const QString& id, const QString& text, std::vector<Cure> cures = {},
+                Severity severity = Severity::kWarning) {
+  return {QStringLiteral("diagnosis-") + id, severity, text, std::move(cures), 0};
+}
+
+QStringList shownTexts(const MessageBar& bar) {
+  QStringList texts;
+  for (const MessageRow* row : bar.findChildren<MessageRow*>())
+    if (!row->isHidden()) texts << row->message().text;
+  texts.sort();
+  return texts;
+}
+
+}  // namespace
+
+class MessageBarTest : public QObject {
+  Q_OBJECT
+
+ private:
+  const QString group_ = QStringLiteral("diagnosis-");
+
+ private slots:
+  void aCurePressedWhileItsNumbersChangeStillRuns() {
+    MessageBar bar;
+    QString cured;
+    const auto at = [&](const QString& number) {
+      return finding(QStringLiteral("1"), QStringLiteral("off by ") + number,
+                     {{QStringLiteral("Disable"), [&cured, number] { cured = number; }}});
+    };
+    bar.showGroup(group_, {at(QStringLiteral("3 cm"))});
+    bar.window()->show();
+    auto* button = bar.findChild<QPushButton*>();
+    QVERIFY(button);
+    QTest::mousePress(button, Qt::LeftButton);
+    bar.showGroup(group_, {finding(QStringLiteral("0"), QStringLiteral("worse"), {}, Severity::kError),
+                           at(QStringLiteral("4 cm"))});  // a solve has ended
+    QCoreApplication::processEvents();
+    QTest::mouseRelease(button, Qt::LeftButton);
+    QCOMPARE(cured, QStringLiteral("4 cm"));
+  }
+
+  void aButtonThatMeansSomethingElseIsAnotherOne() {
+    MessageBar bar;
+    QString cured;
+    const auto with = [&](const QString& label) {
+      return finding(QStringLiteral("1"), QStringLiteral("wrong"), {{label, [&cured, label] { cured = label; }}});
+    };
+    bar.show(with(QStringLiteral("Rescale")));
+    bar.window()->show();
+    QPointer<QPushButton> button = bar.findChild<QPushButton*>();
+    QTest::mousePress(button, Qt::LeftButton);
+    bar.show(with(QStringLiteral("Flip")));
+    QTest::mouseRelease(button, Qt::LeftButton);
+    QVERIFY(cured.isEmpty());
+    QTRY_VERIFY(!button);
+    QTest::mouseClick(bar.findChild<QPushButton*>(), Qt::LeftButton);
+    QCOMPARE(cured, QStringLiteral("Flip"));
+  }
+
+  void aCureMayReplaceItsOwnMessage() {
+    MessageBar bar;
+    bar.show(finding(QStringLiteral("1"), QStringLiteral("before"),
+                     {{QStringLiteral("Cure"), [&bar] { bar.remove(QStringLiteral("diagnosis-1")); }}}));
+    bar.window()->show();
+    QTest::mouseClick(bar.findChild<QPushButton*>(), Qt::LeftButton);
+    QVERIFY(bar.messages().empty());
+    QVERIFY(bar.isHidden());
+  }
+
+  void theWorstComeFirstAndTheRestAreFolded() {
+    MessageBar bar;
+    bar.showGroup(group_, {finding(QStringLiteral("1"), QStringLiteral("note"), {}, Severity::kNote),
+                           finding(QStringLiteral("2"), QStringLiteral("warning")),
+                           finding(QStringLiteral("3"), QStringLiteral("error"), {}, Severity::kError)});
+    QCOMPARE(shownTexts(bar), (QStringList{QStringLiteral("error"), QStringLiteral("warning")}));
+    const auto rows = bar.findChildren<MessageRow*>();
+    bar.window()->show();
+    QCoreApplication::processEvents();
+    QVERIFY(rows[0]->y() < rows[1]->y());
+    QCOMPARE(rows[0]->message().text, QStringLiteral("error"));
+    // What is folded comes out with a click, and goes with another.
+    auto* more = bar.findChild<QToolButton*>(QStringLiteral("moreMessages"));
+    QVERIFY(more->isVisible());
+    more->click();
+    QTRY_COMPARE(shownTexts(bar).size(), 3);
+    more->click();
+    QCOMPARE(shownTexts(bar).size(), 2);
+    bar.showGroup(group_, {finding(QStringLiteral("1"), QStringLiteral("note"), {}, Severity::kNote)});
+    QTRY_COMPARE(shownTexts(bar), QStringList{QStringLiteral("note")});
+    QVERIFY(!more->isVisible());
+  }
+
+  void aMessageThatVanishesTakesOnlyItself() {
+    MessageBar bar;
+    bar.show({QStringLiteral("toast"), Severity::kNote, QStringLiteral("deleted"), {}, 1});
+    bar.show(finding(QStringLiteral("1"), QStringLiteral("stays")));
+    QTRY_COMPARE(shownTexts(bar), QStringList{QStringLiteral("stays")});
+  }
+
+  void aClosedWarningComesBackWithItsReason() {
+    MessageBar bar;
+    const Message line = finding(QStringLiteral("8"), QStringLiteral("all on one line"));
+    bar.showGroup(group_, {line});
+    auto* close = bar.findChild<QToolButton*>(QStringLiteral("closeMessage"));
+    QVERIFY(close);
+    close->click();
+    QVERIFY(bar.messages().empty());
+    bar.showGroup(group_, {line});
+    QVERIFY(bar.messages().empty());  // still the same: it stays closed
+    bar.showGroup(group_, {});
+    bar.showGroup(group_, {line});
+    QCOMPARE(bar.messages().size(), std::size_t(1));
+  }
+};
+
+QTEST_MAIN(MessageBarTest)
+#include "message_bar_test.moc"
