@@ -6,7 +6,7 @@
 # that forgets an #include fails there.
 set(CAD2SLAM_COMMON_HEADERS
   <algorithm> <cmath> <filesystem> <functional> <map> <memory> <optional> <string> <vector> <Eigen/Core> <Eigen/LU>)
-set(CAD2SLAM_WINDOW_HEADERS ${CAD2SLAM_COMMON_HEADERS} <QtConcurrent> <QtWidgets>)
+set(CAD2SLAM_WINDOW_HEADERS ${CAD2SLAM_COMMON_HEADERS} <QtWidgets>)
 
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   add_compile_options(-fpch-preprocess)  # so that ccache can look into precompiled headers

@@ -13,7 +13,7 @@
 #include "ui/panels/message_bar.h"
 #include "ui/services/guarded.h"
 #include "ui/services/solve_worker.h"
-#include "ui/views/background_thread.h"
+#include "ui/views/lane.h"
 
 #include <QCoreApplication>
 #include <QDateTime>
@@ -26,7 +26,6 @@
 #include <QProgressDialog>
 #include <QStandardPaths>
 #include <QTimeZone>
-#include <QtConcurrent>
 
 #include <algorithm>
 #include <cmath>
@@ -224,8 +223,8 @@ Result<SolveResultPtr> Exports::solveAfresh() {
   progress.setWindowModality(Qt::WindowModal);
   progress.setMinimumDuration(500);  // [ms]; the usual four seconds look like a program that hangs
   connect(&progress, &QProgressDialog::canceled, &watcher, [&watcher] { watcher.cancel(); });
-  watcher.setFuture(QtConcurrent::run([request = session_.alignment().currentRequest()](QPromise<Outcome>& promise) {
-    giveWayToWindow();
+  Lane lane;
+  watcher.setFuture(lane.run<Outcome>([request = session_.alignment().currentRequest()](QPromise<Outcome>& promise) {
     promise.addResult(guarded([&]() -> Outcome {
       return SolveWorker().solveAside(request, [&promise](const IterationReport&) {
         return promise.isCanceled() ? NextStep::kStop : NextStep::kContinue;

@@ -3,8 +3,15 @@
 #include "ui/main_window/process_setup.h"
 
 #include "ui/views/background_thread.h"
+#include "ui/views/lane.h"
+
+#include <QThreadPool>
 
 #include <malloc.h>
+
+#include <algorithm>
+#include <latch>
+#include <memory>
 
 namespace cad2slam {
 namespace {
@@ -20,11 +27,24 @@ void keepFreedMemory() {
 #endif
 }
 
+/// Those that the first project takes: started here, they do not stop the window while it loads.
+void startThreads() {
+  constexpr int kOfFirstProject = 5;  // two images and what they mean, the journal
+  Lane::prepareSharedThreads(kOfFirstProject);
+  // Qt fills large areas with these while the window waits; without work it would end them after half a minute.
+  QThreadPool& of_qt = *QThreadPool::globalInstance();
+  of_qt.setExpiryTimeout(-1);
+  const int count = std::min(of_qt.maxThreadCount(), 4);
+  const auto all_run = std::make_shared<std::latch>(count);
+  for (int i = 0; i < count; ++i) of_qt.start([all_run] { all_run->arrive_and_wait(); });
+}
+
 }  // namespace
 
 void setUpProcess() {
   comeBeforeBackground();
   keepFreedMemory();
+  startThreads();
 }
 
 }  // namespace cad2slam

@@ -34,7 +34,6 @@ QString versionFile(const QString& folder, int version) {
 
 Autosave::Autosave(ProjectDocument& document, const QString& root, QObject* parent)
     : QObject(parent), document_(document), root_(root) {
-  lane_.setMaxThreadCount(1);
   connect(&document_, &ProjectDocument::changed, this, [this](const ChangeEvent& event) {
     if (event.interim) return;
     if (!document_.isModified()) return clear();
@@ -42,9 +41,7 @@ Autosave::Autosave(ProjectDocument& document, const QString& root, QObject* pare
   });
 }
 
-Autosave::~Autosave() {
-  lane_.waitForDone();
-}
+Autosave::~Autosave() = default;
 
 QString Autosave::defaultRoot() {
   return QStandardPaths::writableLocation(QStandardPaths::AppLocalDataLocation) + QStringLiteral("/journal");

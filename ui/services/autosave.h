@@ -3,12 +3,12 @@
 #pragma once
 
 #include "ui/document/project_document.h"
+#include "ui/views/lane.h"
 
 #include <QDateTime>
 #include <QLockFile>
 #include <QObject>
 #include <QString>
-#include <QThreadPool>
 
 #include <atomic>
 #include <memory>
@@ -64,7 +64,7 @@ class Autosave : public QObject {
   std::shared_ptr<QLockFile> lock_;
   bool failure_told_ = false;
   std::atomic<int> newest_ = 0;  // version asked for; older ones that still wait are skipped
-  QThreadPool lane_;             // one thread: writes and removals keep their order
+  Lane lane_;                    // writes and removals keep their order
 };
 
 }  // namespace cad2slam

@@ -25,7 +25,7 @@ PreviewService::PreviewService(QObject* parent)
               return {fail(ErrorCode::kInternal, failure.what()), task};
             }
           },
-          [this](const Answer& answer) { take(answer); }) {
+          [this](const Answer& answer) { take(answer); }, Lane::Threads::kOwn) {
   sharpen_.setSingleShot(true);
   sharpen_.setInterval(kRest_ms);
   connect(&sharpen_, &QTimer::timeout, this, [this] {

@@ -6,11 +6,9 @@
 #include "ui/convert.h"
 #include "ui/engine_sentences.h"
 #include "ui/services/guarded.h"
-#include "ui/views/background_thread.h"
 
 #include <QFutureWatcher>
 #include <QTimer>
-#include <QtConcurrent>
 
 #include <utility>
 
@@ -38,7 +36,6 @@ struct RasterStore::Answer {
 };
 
 RasterStore::RasterStore(ProjectDocument& document, QObject* parent) : QObject(parent), document_(document) {
-  pool_.setMaxThreadCount(2);
   connect(&document_, &ProjectDocument::changed, this, [this](const ChangeEvent& event) {
     if (event.what & Change::kEverything)
       for (Slot& slot : slots_) slot.clear();
@@ -51,9 +48,7 @@ RasterStore::RasterStore(ProjectDocument& document, QObject* parent) : QObject(p
   });
 }
 
-RasterStore::~RasterStore() {
-  pool_.waitForDone();
-}
+RasterStore::~RasterStore() = default;
 
 void RasterStore::follow(Side side, const ProjectRaster* raster, const std::string& map) {
   Slot& slot = at(side);
@@ -108,8 +103,7 @@ void RasterStore::read(Side side, const ProjectRaster& raster, const std::string
     take(side, ticket, raster, map, watcher->result());
   });
   const bool want_grid = side == Side::kBlueprint;
-  watcher->setFuture(QtConcurrent::run(&pool_, [this, side, ticket, raster, want_grid]() -> Answer {
-    giveWayToWindow();
+  watcher->setFuture(lane_.run<Answer>([this, side, ticket, raster, want_grid](QPromise<Answer>& promise) {
     Answer answer;
     const Result<void> done = guarded([&]() -> Result<void> {
       answer.state = checkRaster(raster);
@@ -134,7 +128,7 @@ void RasterStore::read(Side side, const ProjectRaster& raster, const std::string
       return {};
     });
     if (!done) answer.frame = failAs(done);
-    return answer;
+    promise.addResult(std::move(answer));
   }));
 }
 

@@ -6,9 +6,9 @@
 #include "cad2slam/map/occupancy_grid.h"
 #include "ui/document/project_document.h"
 #include "ui/services/tile_pyramid.h"
+#include "ui/views/lane.h"
 
 #include <QObject>
-#include <QThreadPool>
 
 #include <cstdint>
 #include <memory>
@@ -84,7 +84,7 @@ class RasterStore : public QObject {
 
   ProjectDocument& document_;
   Slot slots_[2];
-  QThreadPool pool_;
+  Lane lane_{2};  // one for each side
 };
 
 }  // namespace cad2slam

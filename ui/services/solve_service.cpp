@@ -5,17 +5,12 @@
 #include "ui/convert.h"
 #include "ui/services/guarded.h"
 #include "ui/services/solve_worker.h"
-#include "ui/views/background_thread.h"
-
-#include <QPromise>
-#include <QtConcurrent>
 
 #include <utility>
 
 namespace cad2slam {
 
 SolveService::SolveService(QObject* parent) : QObject(parent), worker_(std::make_shared<SolveWorker>()) {
-  lane_.setMaxThreadCount(1);
   connect(&watcher_, &QFutureWatcher<Outcome>::finished, this, &SolveService::onFinished);
   connect(&watcher_, &QFutureWatcher<Outcome>::progressValueChanged, this, [this](int iteration) {
     if (running_ && !running_->aside) emit progressed(iteration);
@@ -81,9 +76,7 @@ void SolveService::start(SolveRequest request, bool aside) {
   running_ = Running{request, aside};
   if (!aside) emit started(request.quality);
   watcher_.setFuture(
-      QtConcurrent::run(&lane_, [worker = worker_, request = std::move(request), aside](QPromise<Outcome>& promise) {
-        giveWayToWindow();
-        if (promise.isCanceled()) return;
+      lane_.run<Outcome>([worker = worker_, request = std::move(request), aside](QPromise<Outcome>& promise) {
         promise.setProgressRange(0, request.settings.max_iterations);
         const auto on_iteration = [&promise](const IterationReport& report) {
           promise.setProgressValue(report.iteration);
@@ -123,10 +116,11 @@ void SolveService::requestSigma(const std::string& map, const QPointF& point_in_
     watcher->deleteLater();
     if (watcher->future().resultCount() == 1) emit sigmaKnown(point_in_blueprint, watcher->result());
   });
-  watcher->setFuture(QtConcurrent::run(&lane_, [worker = worker_, map, point = toEigen(point_in_blueprint)] {
-    const Result<double> sigma = guarded([&]() -> Result<double> { return worker->sigma(map, point); });
-    return sigma.value_or(std::numeric_limits<double>::quiet_NaN());
-  }));
+  watcher->setFuture(
+      lane_.run<double>([worker = worker_, map, point = toEigen(point_in_blueprint)](QPromise<double>& promise) {
+        const Result<double> sigma = guarded([&]() -> Result<double> { return worker->sigma(map, point); });
+        promise.addResult(sigma.value_or(std::numeric_limits<double>::quiet_NaN()));
+      }));
 }
 
 }  // namespace cad2slam

@@ -3,11 +3,11 @@
 #pragma once
 
 #include "ui/services/solve_types.h"
+#include "ui/views/lane.h"
 
 #include <QFutureWatcher>
 #include <QObject>
 #include <QPointF>
-#include <QThreadPool>
 
 #include <deque>
 #include <memory>
@@ -67,7 +67,7 @@ class SolveService : public QObject {
   void onFinished();
 
   std::shared_ptr<SolveWorker> worker_;  // touched by the lane only
-  QThreadPool lane_;                     // one thread
+  Lane lane_{1, Lane::Threads::kOwn};
   QFutureWatcher<Outcome> watcher_;
   std::optional<Running> running_;
   std::optional<SolveRequest> waiting_;

@@ -16,7 +16,6 @@
 #include "ui/engine_sentences.h"
 #include "ui/services/pyramid_builder.h"
 #include "ui/services/screen_pixels.h"
-#include "ui/views/background_thread.h"
 
 namespace cad2slam {
 namespace {
@@ -61,8 +60,6 @@ QImage imageOf(const cv::Mat& pixels) {
 }  // namespace
 
 TilePyramid::TilePyramid() {
-  reading_.setMaxThreadCount(1);
-  unpacking_pool_.setMaxThreadCount(1);
   tiles_timer_.setSingleShot(true);
   tiles_timer_.setInterval(kNoticeInterval_ms);
   connect(&tiles_timer_, &QTimer::timeout, this, [this] {
@@ -74,13 +71,12 @@ TilePyramid::TilePyramid() {
 
 TilePyramid::~TilePyramid() {
   stop_ = true;
-  reading_.waitForDone();
-  unpacking_pool_.waitForDone();
+  lane_.waitForDone();
 }
 
 std::shared_ptr<TilePyramid> TilePyramid::load(const std::filesystem::path& image, bool mirrored) {
   std::shared_ptr<TilePyramid> pyramid(new TilePyramid);
-  pyramid->reading_.start([self = pyramid.get(), image, mirrored] { self->read(image, mirrored); });
+  pyramid->lane_.start([self = pyramid.get(), image, mirrored] { self->read(image, mirrored); });
   return pyramid;
 }
 
@@ -96,7 +92,6 @@ std::shared_ptr<TilePyramid> TilePyramid::fromPixels(const cv::Mat& pixels) {
 }
 
 void TilePyramid::read(const std::filesystem::path& image, bool mirrored) {
-  giveWayToWindow();
   try {
     // Nearly every map is grey even where its file type is not; a quarter of the memory is worth a second start.
     if (cut(image, mirrored, 1) == Cut::kNeedsColor) cut(image, mirrored, 4);
@@ -216,13 +211,12 @@ QImage TilePyramid::tile(const TileKey& key) {
   if (wanted_.size() > kMostWanted) wanted_.erase(wanted_.begin(), wanted_.begin() + kMostWanted / 2);
   if (!unpacking_) {
     unpacking_ = true;
-    unpacking_pool_.start([this] { unpackWanted(); });
+    lane_.start([this] { unpackWanted(); });
   }
   return {};
 }
 
 void TilePyramid::unpackWanted() {
-  giveWayToWindow();
   while (!stop_) {
     TileKey key;
     {

@@ -4,7 +4,6 @@
 
 #include <QElapsedTimer>
 #include <QString>
-#include <QThreadPool>
 #include <QTimer>
 
 #include <opencv2/core/mat.hpp>
@@ -16,6 +15,7 @@
 #include <vector>
 
 #include "ui/services/tile_store.h"
+#include "ui/views/lane.h"
 #include "ui/views/raster_source.h"
 
 namespace cad2slam {
@@ -75,8 +75,7 @@ class TilePyramid : public RasterSource {
   std::mutex wanted_mutex_;
   std::vector<TileKey> wanted_;  // the newest last
   bool unpacking_ = false;
-  QThreadPool reading_;
-  QThreadPool unpacking_pool_;
+  Lane lane_{2};  // one reads the image, one unpacks tiles
 };
 
 }  // namespace cad2slam

@@ -3,18 +3,16 @@
 #pragma once
 
 #include <QFutureWatcher>
-#include <QThreadPool>
-#include <QtConcurrent>
 
 #include <functional>
 #include <optional>
 #include <utility>
 
-#include "ui/views/background_thread.h"
+#include "ui/views/lane.h"
 
 namespace cad2slam {
 
-/// Runs a pure function on a thread of its own, one call at a time; of the requests that come while it runs only the
+/// Runs a pure function in the background, one call at a time; of the requests that come while it runs only the
 /// newest survives. Every finished call is delivered, so a stream of requests never starves. GUI thread only.
 template <class Request, class Answer>
 class LatestJob {
@@ -22,9 +20,8 @@ class LatestJob {
   using Work = std::function<Answer(const Request&)>;
   using Deliver = std::function<void(const Answer&)>;
 
-  LatestJob(Work work, Deliver deliver) : work_(std::move(work)), deliver_(std::move(deliver)) {
-    lane_.setMaxThreadCount(1);
-    lane_.setExpiryTimeout(5000);
+  LatestJob(Work work, Deliver deliver, Lane::Threads threads = Lane::Threads::kShared)
+      : work_(std::move(work)), deliver_(std::move(deliver)), lane_(1, threads) {
     QObject::connect(&watcher_, &QFutureWatcherBase::finished, &watcher_, [this] { onFinished(); });
   }
   ~LatestJob() {
@@ -53,10 +50,8 @@ class LatestJob {
   void start(Request request) {
     running_ = true;
     dropped_ = false;
-    watcher_.setFuture(QtConcurrent::run(&lane_, [work = work_, request = std::move(request)]() -> Answer {
-      giveWayToWindow();
-      return work(request);
-    }));
+    watcher_.setFuture(lane_.run<Answer>(
+        [work = work_, request = std::move(request)](QPromise<Answer>& promise) { promise.addResult(work(request)); }));
   }
   void onFinished() {
     const QFuture<Answer> future = watcher_.future();
@@ -68,7 +63,7 @@ class LatestJob {
 
   Work work_;
   Deliver deliver_;
-  QThreadPool lane_;
+  Lane lane_;
   QFutureWatcher<Answer> watcher_;
   std::optional<Request> waiting_;
   bool running_ = false;
