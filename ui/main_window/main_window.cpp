@@ -397,8 +397,9 @@ void MainWindow::refreshHint() {
 
 void MainWindow::refreshStatus() {
   refreshHint();
-  busy_.setBusy(session_.alignment().status() == AlignmentStatus::kSolving || session_.alignment().areOthersBusy());
-  (*actions_)[kCancelSolve]->setEnabled(busy_.isShown() || session_.alignment().areOthersBusy());
+  const bool busy = session_.alignment().status() == AlignmentStatus::kSolving || session_.alignment().areOthersBusy();
+  busy_.setBusy(busy);
+  (*actions_)[kCancelSolve]->setEnabled(busy);
   if (!busy_.isBrief()) {
     const ChipState chip = chipOf(session_);
     status_->setChip(chip.text, chip.look);

@@ -10,8 +10,6 @@
 #include <malloc.h>
 
 #include <algorithm>
-#include <latch>
-#include <memory>
 
 namespace cad2slam {
 namespace {
@@ -32,11 +30,9 @@ void startThreads() {
   constexpr int kOfFirstProject = 5;  // two images and what they mean, the journal
   Lane::prepareSharedThreads(kOfFirstProject);
   // Qt fills large areas with these while the window waits; without work it would end them after half a minute.
+  constexpr int kMostOfQt = 4;
   QThreadPool& of_qt = *QThreadPool::globalInstance();
-  of_qt.setExpiryTimeout(-1);
-  const int count = std::min(of_qt.maxThreadCount(), 4);
-  const auto all_run = std::make_shared<std::latch>(count);
-  for (int i = 0; i < count; ++i) of_qt.start([all_run] { all_run->arrive_and_wait(); });
+  startLastingThreads(of_qt, std::min(of_qt.maxThreadCount(), kMostOfQt));
 }
 
 }  // namespace

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/views/background_thread.h"
 
+#include <QThreadPool>
+
 #include <sched.h>
 #include <sys/resource.h>
 #include <sys/syscall.h>
@@ -9,6 +11,8 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <latch>
+#include <memory>
 
 namespace cad2slam {
 namespace {
@@ -47,6 +51,13 @@ void giveWayToWindow() {
 void comeBeforeBackground() {
   constexpr std::uint64_t kSlice_ns = 1'000'000;
   static_cast<void>(schedule({.nice = ownNice(), .slice_ns = kSlice_ns}));
+}
+
+void startLastingThreads(QThreadPool& pool, int count) {
+  pool.setExpiryTimeout(-1);
+  // One that is done early would be given the next task: each waits until all have one.
+  const auto all_run = std::make_shared<std::latch>(count);
+  for (int i = 0; i < count; ++i) pool.start([all_run] { all_run->arrive_and_wait(); });
 }
 
 }  // namespace cad2slam

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+class QThreadPool;
+
 namespace cad2slam {
 
 /// Says that the calling thread, and those it starts from now on, work for the window but must not keep it waiting:
@@ -13,5 +15,9 @@ void giveWayToWindow();
 /// window's thread, and the pool of Qt that fills large areas for it. A thread with a shorter slice need not wait until
 /// another one has used up its own. To be called before there are other threads.
 void comeBeforeBackground();
+
+/// Starts so many threads of a pool, which wait for work from then on, and lets those that it starts later stay as
+/// well. Returns before they have all begun.
+void startLastingThreads(QThreadPool& pool, int count);
 
 }  // namespace cad2slam

@@ -8,28 +8,21 @@
 
 #include <condition_variable>
 #include <deque>
-#include <latch>
 #include <mutex>
 
 namespace cad2slam {
 namespace {
 
-std::unique_ptr<QThreadPool> makeThreads(int most) {
+std::unique_ptr<QThreadPool> makeThreads(int most, int started) {
   auto pool = std::make_unique<QThreadPool>();
   pool->setMaxThreadCount(most);
-  pool->setExpiryTimeout(-1);
+  startLastingThreads(*pool, started);
   return pool;
-}
-
-/// Returns before they have all begun.
-void startThreads(QThreadPool& pool, int count) {
-  const auto all_run = std::make_shared<std::latch>(count);
-  for (int i = 0; i < count; ++i) pool.start([all_run] { all_run->arrive_and_wait(); });
 }
 
 QThreadPool& sharedThreads() {
   constexpr int kMost = 256;  // room for every lane at once: none waits for another one
-  static const std::unique_ptr<QThreadPool> pool = makeThreads(kMost);
+  static const std::unique_ptr<QThreadPool> pool = makeThreads(kMost, 0);
   return *pool;
 }
 
@@ -45,9 +38,7 @@ struct Lane::State {
 
 Lane::Lane(int at_once, Threads threads) : state_(std::make_shared<State>()) {
   state_->at_once = at_once;
-  if (threads == Threads::kShared) return;
-  own_ = makeThreads(at_once);
-  startThreads(*own_, at_once);
+  if (threads == Threads::kOwn) own_ = makeThreads(at_once, at_once);
 }
 
 Lane::~Lane() {
@@ -83,7 +74,7 @@ void Lane::waitForDone() {
 }
 
 void Lane::prepareSharedThreads(int count) {
-  startThreads(sharedThreads(), count);
+  startLastingThreads(sharedThreads(), count);
 }
 
 }  // namespace cad2slam

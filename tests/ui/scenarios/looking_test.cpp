@@ -143,6 +143,20 @@ class LookingTest : public QObject {
     QTRY_VERIFY_WITH_TIMEOUT(alignment.otherStatus(other) == AlignmentStatus::kUpToDate, test::kPatience);
   }
 
+  // Not shown before it takes long, but whoever is quick enough may stop it.
+  void aSolveCanBeStoppedAtOnce() {
+    OfficeWindow office;
+    office.addExact(6);
+    QVERIFY(office.waitUntilSolved());
+    const Anchor& anchor = office.document().anchors()[0];
+    edit::moveAnchor(office.document(), anchor.id, Side::kSlam, anchor.in_slam + Eigen::Vector2d(0.1, 0.0),
+                     office.document().newGesture());
+    QVERIFY(office.window.actionTable()[ActionId::kCancelSolve]->isEnabled());
+    office.window.actionTable()[ActionId::kCancelSolve]->trigger();
+    QVERIFY(office.session().alignment().status() == AlignmentStatus::kCancelled);
+    QVERIFY(!office.window.actionTable()[ActionId::kCancelSolve]->isEnabled());
+  }
+
   void scenario16_linkedViewsShowTheSamePlace() {
     OfficeWindow office;
     office.addExact(12);

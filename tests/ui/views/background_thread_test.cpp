@@ -2,11 +2,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/views/background_thread.h"
 
+#include <QThreadPool>
 #include <QtTest>
 
 #include <sys/resource.h>
 
 #include <algorithm>
+#include <atomic>
 #include <thread>
 
 using namespace cad2slam;
@@ -57,6 +59,18 @@ class BackgroundThreadTest : public QObject {
       QCOMPARE(before, given);
       QCOMPARE(after, given);
     }
+  }
+
+  void startedThreadsWaitForWorkAndStay() {
+    QThreadPool pool;
+    pool.setMaxThreadCount(3);
+    startLastingThreads(pool, 3);
+    QTRY_COMPARE(pool.activeThreadCount(), 0);  // all of them have begun, or the others would still wait
+    QCOMPARE(pool.expiryTimeout(), -1);
+    std::atomic<int> done = 0;
+    for (int i = 0; i < 10; ++i) pool.start([&done] { ++done; });
+    pool.waitForDone();
+    QCOMPARE(done.load(), 10);
   }
 };
 
