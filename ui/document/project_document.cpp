@@ -238,6 +238,7 @@ void ProjectDocument::applyAnchorChanges(const std::string& map_name, const std:
 
 void ProjectDocument::applyState(const DocumentState& state, const std::string& current_map, ChangeEvent event) {
   // The half anchor is not part of any command, so it stays, unless its ground has moved.
+  const std::string before_name = currentMapName();
   const Project before = std::exchange(state_, state).project;
   for (ProjectSlamMap& map : state_.project.slam_maps) {
     map.pending.reset();
@@ -250,6 +251,11 @@ void ProjectDocument::applyState(const DocumentState& state, const std::string& 
   }
   if (event.what & (Change::kBlueprint | Change::kSlamMaps)) event.what |= Change::kAnchors | Change::kPending;
   current_map_ = current_map;
+  const ProjectSlamMap* now = currentMap();
+  const ProjectSlamMap* now_before = now ? sameMapIn(before, *now, state_.project) : nullptr;
+  // The map of the step need not be the one that was looked at last; one that was only renamed is no other map.
+  if (before_name != (now_before ? now_before->name : std::string()))
+    event.what |= Change::kCurrentMap | Change::kAnchors | Change::kPending;
   current_map_ = currentMapName();
   if (event.needsSolve()) ++revision_;
   announce(event);

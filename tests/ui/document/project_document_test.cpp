@@ -261,6 +261,44 @@ class ProjectDocumentTest : public QObject {
     QVERIFY(document_.anchor(1)->name.empty());
   }
 
+  void undoThatGoesToAnotherMapSaysSo() {
+    ProjectRaster other;
+    other.metadata.image = "/nowhere/other.png";
+    edit::addSlamMap(document_, "robot 2", other);
+    document_.setCurrentMap("robot 1");
+    edit::changeSettings(document_, {document_.project().settings, 1.5, document_.state().limits});
+    document_.setCurrentMap("robot 2");
+    const auto announced = [this](auto step) {
+      Changes what;
+      const auto seen = connect(&document_, &ProjectDocument::changed, this,
+                                [&](const ChangeEvent& event) { what |= event.what; });
+      step();
+      disconnect(seen);
+      return what;
+    };
+    const Changes needed = Change::kCurrentMap | Change::kAnchors | Change::kPending;
+    const auto undo = [this] { document_.undoStack().undo(); };
+    const auto redo = [this] { document_.undoStack().redo(); };
+    for (const auto& step : {std::function<void()>(undo), std::function<void()>(redo)}) {
+      document_.setCurrentMap("robot 2");
+      QVERIFY((announced(step) & needed) == needed);
+      QCOMPARE(document_.currentMapName(), std::string("robot 1"));
+    }
+    // A new name is no other map; to go back to one that has got a new name is.
+    const auto rename = [this] { QVERIFY(edit::renameSlamMap(document_, "robot 1", "cleaner")); };
+    QVERIFY(!(announced(rename) & Change::kCurrentMap));
+    QVERIFY(!(announced(undo) & Change::kCurrentMap));
+    QVERIFY(!(announced(redo) & Change::kCurrentMap));
+    document_.setCurrentMap("robot 2");
+    QVERIFY((announced(undo) & needed) == needed);
+    QCOMPARE(document_.currentMapName(), std::string("robot 1"));
+    // The same map in another file.
+    const auto choose = [this, other] { edit::setSlamRaster(document_, "robot 1", other); };
+    QVERIFY(!(announced(choose) & Change::kCurrentMap));
+    document_.setCurrentMap("robot 2");
+    QVERIFY((announced(undo) & needed) == needed);
+  }
+
   void lockedAnchorsStayWhoeverAsks() {
     addThree();
     document_.setLocked(true);
