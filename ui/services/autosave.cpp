@@ -37,7 +37,8 @@ Autosave::Autosave(ProjectDocument& document, const QString& root, QObject* pare
   connect(&document_, &ProjectDocument::changed, this, [this](const ChangeEvent& event) {
     if (event.interim) return;
     if (!document_.isModified()) return clear();
-    if (event.what != Changes(Change::kSavedState)) write();
+    // The first edit is announced before the undo stack counts it, so as unmodified; then it is told as a saved state.
+    if (event.what != Changes(Change::kSavedState) || !lock_) write();
   });
 }
 

@@ -270,8 +270,8 @@ class ProjectDocumentTest : public QObject {
     document_.setCurrentMap("robot 2");
     const auto announced = [this](auto step) {
       Changes what;
-      const auto seen = connect(&document_, &ProjectDocument::changed, this,
-                                [&](const ChangeEvent& event) { what |= event.what; });
+      const auto seen =
+          connect(&document_, &ProjectDocument::changed, this, [&](const ChangeEvent& event) { what |= event.what; });
       step();
       disconnect(seen);
       return what;
