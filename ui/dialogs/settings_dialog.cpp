@@ -9,7 +9,6 @@
 #include <QFormLayout>
 #include <QLabel>
 #include <QLineEdit>
-#include <QLocale>
 #include <QPushButton>
 #include <QTabWidget>
 #include <QVBoxLayout>
@@ -19,20 +18,19 @@
 namespace cad2slam {
 namespace {
 
-/// As short as it can be and still read back as the same number.
-QString shortText(double value) {
-  QLocale locale;
-  locale.setNumberOptions(QLocale::OmitGroupSeparator);
-  return locale.toString(value, 'g', QLocale::FloatingPointShortest);
-}
-
 QString optionalText(const std::optional<double>& value) {
-  return value ? shortText(*value) : QString();
+  return value ? shortNumberText(*value) : QString();
 }
 
 std::optional<double> positive(const QLineEdit* field) {
   const std::optional<double> value = parseNumber(field->text());
   return value && *value > 0.0 ? value : std::nullopt;
+}
+
+/// What takes no part in the model is zero.
+std::optional<double> zeroOrMore(const QLineEdit* field) {
+  const std::optional<double> value = parseNumber(field->text());
+  return value && *value >= 0.0 ? value : std::nullopt;
 }
 
 bool isEmptyOrPositive(const QLineEdit* field) {
@@ -61,10 +59,10 @@ SettingsDialog::SettingsDialog(QWidget* parent, const ProjectSettings& settings,
 
   fill(settings.solver);
   cell_size_->setText(optionalText(settings.cell_size_m));
-  ok_m_->setText(shortText(settings.limits.ok_m));
-  ok_cells_->setText(shortText(settings.limits.ok_cells));
-  look_m_->setText(shortText(settings.limits.look_m));
-  look_cells_->setText(shortText(settings.limits.look_cells));
+  ok_m_->setText(shortNumberText(settings.limits.ok_m));
+  ok_cells_->setText(shortNumberText(settings.limits.ok_cells));
+  look_m_->setText(shortNumberText(settings.limits.look_m));
+  look_cells_->setText(shortNumberText(settings.limits.look_cells));
   theme_->setCurrentIndex(static_cast<int>(appearance.theme));
   language_->setCurrentIndex(std::max(0, language_->findData(appearance.language)));
   connect(model_, &QComboBox::activated, this,
@@ -86,6 +84,7 @@ QWidget* SettingsDialog::solverPage() {
   auto* page = new QWidget(this);
   auto* form = new QFormLayout(page);
   model_ = new QComboBox(this);
+  model_->setObjectName(QStringLiteral("model"));
   model_->addItem(tr("Stretch: bends and stretches (recommended)"));
   model_->addItem(tr("Rigid: bends only, as in the paper"));
   form->addRow(tr("&Model:"), model_);
@@ -163,14 +162,15 @@ void SettingsDialog::fill(const SolverSettings& solver) {
   model_->setCurrentIndex(solver.model == Model::kStretch ? 0 : 1);
   stiffness_->setCurrentIndex(stiffness_->findData(static_cast<int>(solver.stiffness)));
   scale_rule_->setCurrentIndex(static_cast<int>(solver.scale.rule));
-  fixed_scale_->setText(shortText(solver.scale.fixed_scale));
-  anchor_information_->setText(shortText(solver.anchor_information));
+  fixed_scale_->setText(shortNumberText(solver.scale.fixed_scale));
+  anchor_information_->setText(shortNumberText(solver.anchor_information));
   loss_width_->setText(optionalText(solver.loss_width_m));
-  lambda_x_->setText(shortText(solver.lambda_x));
-  lambda_y_->setText(shortText(solver.lambda_y));
+  lambda_x_->setText(shortNumberText(solver.lambda_x));
+  lambda_y_->setText(shortNumberText(solver.lambda_y));
   lambda_theta_->setText(optionalText(solver.lambda_theta));
-  lambda_stretch_->setText(shortText(solver.lambda_stretch));
-  prior_->setText(shortText(solver.prior_strength));
+  lambda_stretch_->setText(shortNumberText(solver.lambda_stretch));
+  prior_->setText(shortNumberText(solver.prior_strength));
+  refresh();  // another model with the same numbers
 }
 
 Stiffness SettingsDialog::stiffness() const {
@@ -180,11 +180,11 @@ Stiffness SettingsDialog::stiffness() const {
 void SettingsDialog::showStiffness() {
   // The numbers a name stands for, to look at or to begin with.
   const SolverSettings named = withStiffness(settings().solver, stiffness());
-  lambda_x_->setText(shortText(named.lambda_x));
-  lambda_y_->setText(shortText(named.lambda_y));
+  lambda_x_->setText(shortNumberText(named.lambda_x));
+  lambda_y_->setText(shortNumberText(named.lambda_y));
   lambda_theta_->setText(optionalText(named.lambda_theta));
-  lambda_stretch_->setText(shortText(named.lambda_stretch));
-  prior_->setText(shortText(named.prior_strength));
+  lambda_stretch_->setText(shortNumberText(named.lambda_stretch));
+  prior_->setText(shortNumberText(named.prior_strength));
   refresh();
 }
 
@@ -200,8 +200,8 @@ ProjectSettings SettingsDialog::settings() const {
   solver.lambda_x = positive(lambda_x_).value_or(solver.lambda_x);
   solver.lambda_y = positive(lambda_y_).value_or(solver.lambda_y);
   solver.lambda_theta = positive(lambda_theta_);
-  solver.lambda_stretch = positive(lambda_stretch_).value_or(solver.lambda_stretch);
-  solver.prior_strength = positive(prior_).value_or(solver.prior_strength);
+  solver.lambda_stretch = zeroOrMore(lambda_stretch_).value_or(solver.lambda_stretch);
+  solver.prior_strength = zeroOrMore(prior_).value_or(solver.prior_strength);
   result.cell_size_m = positive(cell_size_);
   result.limits.ok_m = positive(ok_m_).value_or(result.limits.ok_m);
   result.limits.ok_cells = positive(ok_cells_).value_or(result.limits.ok_cells);
@@ -228,7 +228,9 @@ void SettingsDialog::refresh() {
   bool good = true;
   for (QLineEdit* field : findChildren<QLineEdit*>()) {
     const bool may_be_empty = field == cell_size_ || field == loss_width_ || field == lambda_theta_;
-    const bool valid = may_be_empty ? isEmptyOrPositive(field) : positive(field).has_value();
+    // What cannot be typed into takes no part: a rigid mesh has neither stretch nor resistance to it.
+    const bool valid =
+        !field->isEnabledTo(this) || (may_be_empty ? isEmptyOrPositive(field) : positive(field).has_value());
     field->setStyleSheet(valid ? QString() : QStringLiteral("QLineEdit { border: 2px solid #c2185b; }"));
     good = good && valid;
   }

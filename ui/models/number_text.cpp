@@ -11,23 +11,35 @@ namespace cad2slam {
 namespace {
 
 constexpr double kLargestCoordinate = 1e9;  // beyond that doubles lose micrometres, and it is a typing error anyway
+const QChar kArabicDecimalSign(0x066b);
+
+/// Digits and minus of a language can be others than a keyboard has, and some minus signs come with marks that do not
+/// show; of the language is the decimal sign alone.
+QString withDecimalSign(QString text) {
+  if (QLocale().decimalPoint() == QLatin1String(",")) text.replace(QLatin1Char('.'), QLatin1Char(','));
+  return text;
+}
 
 }  // namespace
 
 QString numberText(double value, int decimals) {
-  QLocale locale;
-  locale.setNumberOptions(QLocale::OmitGroupSeparator);
-  const QString text = locale.toString(value, 'f', decimals);
   // "-0.000" is only a rounded zero.
   const bool is_zero = std::abs(value) < 0.5 * std::pow(10.0, -decimals);
-  return is_zero ? locale.toString(0.0, 'f', decimals) : text;
+  return withDecimalSign(QString::number(is_zero ? 0.0 : value, 'f', decimals));
+}
+
+QString shortNumberText(double value) {
+  return withDecimalSign(QString::number(value, 'g', QLocale::FloatingPointShortest));
 }
 
 std::optional<double> parseNumber(const QString& text) {
   QString plain = text.trimmed();
   if (plain.endsWith(QLatin1Char('m'))) plain = plain.chopped(1).trimmed();
   if (plain.contains(QLatin1Char(',')) && plain.contains(QLatin1Char('.'))) return std::nullopt;  // ambiguous
-  plain.replace(QLatin1Char(','), QLatin1Char('.'));
+  for (QChar& letter : plain) {
+    if (letter == QLatin1Char(',') || letter == kArabicDecimalSign) letter = QLatin1Char('.');
+    if (letter.isDigit()) letter = QLatin1Char(static_cast<char>('0' + letter.digitValue()));
+  }
   plain.replace(QChar(0x2212), QLatin1Char('-'));
   bool ok = false;
   const double value = QLocale::c().toDouble(plain, &ok);

@@ -8,9 +8,13 @@
 
 namespace cad2slam {
 
-/// Numbers as the installer writes them: the decimal sign of the language, no group separators.
+/// Numbers as the installer types them: the decimal sign of the language, else digits and minus of any keyboard, no
+/// group separators. parseNumber() reads them back in every language.
 [[nodiscard]] QString numberText(double value, int decimals);
-/// Accepts decimal point and decimal comma whatever the language, and a unit "m" behind; nothing else.
+/// As short as it can be and still read back as the same number.
+[[nodiscard]] QString shortNumberText(double value);
+/// Accepts decimal point and decimal comma and digits of any script whatever the language, and a unit "m" behind;
+/// nothing else.
 [[nodiscard]] std::optional<double> parseNumber(const QString& text);
 
 [[nodiscard]] QString metresText(double value_m);       ///< "12.345"
