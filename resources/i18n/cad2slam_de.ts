@@ -3188,6 +3188,14 @@ Karten-YAML, PGM, PNG oder TIFF</translation>
         <translation>Das Programm endete unerwartet; %1 wurde zuletzt am %2 bearbeitet</translation>
     </message>
     <message>
+        <source>What a program that ended unexpectedly has left of %1 cannot be read: %2</source>
+        <translation>Was ein unerwartet beendetes Programm von %1 hinterlassen hat, kann nicht gelesen werden: %2</translation>
+    </message>
+    <message>
+        <source>It was saved again %1, so what is recovered will be a project of its own</source>
+        <translation>Es wurde am %1 noch einmal gespeichert; was wiederhergestellt wird, wird deshalb ein eigenes Projekt</translation>
+    </message>
+    <message>
         <source>Recover</source>
         <translation>Wiederherstellen</translation>
     </message>

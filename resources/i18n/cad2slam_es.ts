@@ -3188,6 +3188,14 @@ YAML de mapa, PGM, PNG o TIFF</translation>
         <translation>El programa terminó de forma inesperada; %1 se editó por última vez el %2</translation>
     </message>
     <message>
+        <source>What a program that ended unexpectedly has left of %1 cannot be read: %2</source>
+        <translation>Lo que un programa terminado inesperadamente dejó de %1 no se puede leer: %2</translation>
+    </message>
+    <message>
+        <source>It was saved again %1, so what is recovered will be a project of its own</source>
+        <translation>Se volvió a guardar el %1, así que lo recuperado será un proyecto aparte</translation>
+    </message>
+    <message>
         <source>Recover</source>
         <translation>Recuperar</translation>
     </message>

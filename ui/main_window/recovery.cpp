@@ -9,6 +9,7 @@
 #include <QLocale>
 
 #include <utility>
+#include <vector>
 
 namespace cad2slam {
 
@@ -31,28 +32,35 @@ bool Recovery::offer() {
     const QString id = QStringLiteral("recovery-") + QFileInfo(recoverable.folder).fileName();
     const QString name = recoverable.project_path.isEmpty() ? tr("a project that was never saved")
                                                             : QFileInfo(recoverable.project_path).fileName();
-    messages_.show({id,
-                    Severity::kWarning,
-                    tr("The program ended unexpectedly; %1 was last edited %2")
-                        .arg(name, QLocale().toString(recoverable.last_edit, QLocale::ShortFormat)),
-                    {{tr("Recover"),
-                      [this, recoverable, id] {
-                        if (!may_replace_()) return;
-                        messages_.remove(id);
-                        recover(recoverable);
-                      }},
-                     {tr("Discard"),
-                      [this, recoverable, id] {
-                        messages_.remove(id);
-                        Autosave::discard(recoverable);
-                      }}},
-                    0});
+    const auto when = [](const QDateTime& time) { return QLocale().toString(time, QLocale::ShortFormat); };
+    QString text = tr("The program ended unexpectedly; %1 was last edited %2").arg(name, when(recoverable.last_edit));
+    if (!recoverable.unreadable.isEmpty()) {
+      text = tr("What a program that ended unexpectedly has left of %1 cannot be read: %2")
+                 .arg(name, recoverable.unreadable);
+    } else if (recoverable.isOvertaken()) {
+      text += QStringLiteral(". ") + tr("It was saved again %1, so what is recovered will be a project of its own")
+                                         .arg(when(QFileInfo(recoverable.project_path).lastModified()));
+    }
+    std::vector<Cure> cures;
+    if (recoverable.unreadable.isEmpty())
+      cures.push_back({tr("Recover"), [this, recoverable, id] {
+                         if (!may_replace_()) return;
+                         messages_.remove(id);
+                         recover(recoverable);
+                       }});
+    cures.push_back({tr("Discard"), [this, recoverable, id] {
+                       messages_.remove(id);
+                       Autosave::discard(recoverable);
+                     }});
+    messages_.show({id, Severity::kWarning, text, std::move(cures), 0});
   }
   return !found.empty();
 }
 
 void Recovery::recover(const Recoverable& recoverable) {
-  session_.document().reset(recoverable.project, toPath(recoverable.project_path), true);
+  // Ctrl+S must not put it over what was saved later.
+  const QString path = recoverable.isOvertaken() ? QString() : recoverable.project_path;
+  session_.document().reset(recoverable.project, toPath(path), true);
   // The edits are now in this run's journal; until they are on disk there, the old one stays.
   if (autosave_.flush()) Autosave::discard(recoverable);
 }

@@ -32,6 +32,11 @@ QString versionFile(const QString& folder, int version) {
 
 }  // namespace
 
+bool Recoverable::isOvertaken() const {
+  const QFileInfo saved(project_path);
+  return !project_path.isEmpty() && saved.exists() && saved.lastModified() > last_edit;
+}
+
 Autosave::Autosave(ProjectDocument& document, const QString& root, QObject* parent)
     : QObject(parent), document_(document), root_(root) {
   connect(&document_, &ProjectDocument::changed, this, [this](const ChangeEvent& event) {
@@ -110,22 +115,24 @@ std::vector<Recoverable> Autosave::findRecoverable(const QString& root) {
     lock.setStaleLockTime(0);
     if (!lock.tryLock(0)) continue;  // that program lives
     QStringList versions = QDir(folder).entryList({QStringLiteral("*.c2sproj")}, QDir::Files, QDir::Name);
+    if (versions.isEmpty()) {  // it died before its first edit was on disk
+      lock.unlock();
+      QDir(folder).removeRecursively();
+      continue;
+    }
     Recoverable recoverable;
     recoverable.folder = folder;
     bool readable = false;
     while (!versions.isEmpty() && !readable) {
       const QString file = folder + QLatin1Char('/') + versions.takeLast();
-      if (Result<Project> project = readProject(toPath(file))) {
-        recoverable.project = *std::move(project);
-        recoverable.last_edit = QFileInfo(file).lastModified();
-        readable = true;
-      }
+      Result<Project> project = readProject(toPath(file));
+      readable = project.has_value();
+      if (readable) recoverable.project = *std::move(project);
+      if (!readable && recoverable.unreadable.isEmpty()) recoverable.unreadable = toSentence(project.error());
+      if (readable || recoverable.last_edit.isNull()) recoverable.last_edit = QFileInfo(file).lastModified();
     }
+    if (readable) recoverable.unreadable.clear();
     lock.unlock();
-    if (!readable) {
-      QDir(folder).removeRecursively();
-      continue;
-    }
     if (const Result<std::string> path = readFile(toPath(pathFileOf(folder)), kLongestPath))
       recoverable.project_path = toQString(std::filesystem::path(*path));
     found.push_back(std::move(recoverable));

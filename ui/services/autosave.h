@@ -22,6 +22,10 @@ struct Recoverable {
   QString project_path;  ///< where the project was saved, or empty
   QDateTime last_edit;
   Project project;
+  QString unreadable;  ///< why there is no project, where its file cannot be read
+
+  /// The project was saved after the last edit here, by another run.
+  [[nodiscard]] bool isOvertaken() const;
 };
 
 /// Writes the project into a journal after every edit, on another thread, so that a crash loses at most the gesture
@@ -39,7 +43,8 @@ class Autosave : public QObject {
 
   /// In the user's data folder.
   [[nodiscard]] static QString defaultRoot();
-  /// Journals under `root` whose programs are dead and that can be read, newest first.
+  /// Journals under `root` whose programs are dead, newest first. Of each the newest version that can be read; where
+  /// none can, it says why, and stays: a newer program may know better.
   [[nodiscard]] static std::vector<Recoverable> findRecoverable(const QString& root);
   static void discard(const Recoverable& recoverable);
 

@@ -12,7 +12,6 @@
 
 #include <QFile>
 #include <QMessageBox>
-#include <QProcess>
 #include <QPushButton>
 #include <QTimer>
 
@@ -25,8 +24,6 @@ using namespace cad2slam;
 using test::OfficeWindow;
 
 namespace {
-
-constexpr char kVictimFlag[] = "--edit-until-killed";
 
 bool copyOffice(const QString& to) {
   bool good = QDir().mkpath(to);
@@ -143,40 +140,6 @@ class FilesTest : public QObject {
       QTRY_VERIFY_WITH_TIMEOUT(again.window.view(side).isFitted(), test::kPatience);
   }
 
-  void scenario19_killedWhileEditingLosesAtMostTheLastGesture() {
-    const QString root = Autosave::defaultRoot();
-    QProcess victim;
-    victim.setProcessChannelMode(QProcess::ForwardedErrorChannel);
-    victim.start(QCoreApplication::applicationFilePath(), {QLatin1String(kVictimFlag), root});
-    QVERIFY(victim.waitForStarted(test::kPatience));
-    int told = 0;  // edits the victim knows to be on disk
-    QElapsedTimer since;
-    since.start();
-    while (told < 25 && since.elapsed() < test::kPatience) {
-      victim.waitForReadyRead(1000);
-      while (victim.canReadLine()) told = victim.readLine().trimmed().toInt();
-    }
-    QVERIFY(told >= 25);
-    ::kill(pid_t(victim.processId()), SIGKILL);
-    victim.waitForFinished();
-    while (victim.canReadLine()) told = victim.readLine().trimmed().toInt();
-
-    const std::vector<Recoverable> found = Autosave::findRecoverable(root);
-    QCOMPARE(found.size(), std::size_t(1));
-    QVERIFY(int(found[0].project.slam_maps.at(0).anchors.size()) >= told);
-    QCOMPARE(found[0].project_path, QStringLiteral("/nowhere/site.c2sproj"));
-
-    OfficeWindow office(false);
-    QVERIFY(office.window.recovery().offer());
-    QVERIFY(office.pressCure(QStringLiteral("recovery-"), QStringLiteral("Recover")));
-    QVERIFY(int(office.document().anchors().size()) >= told);
-    QVERIFY(office.document().isModified());
-    // It is this run's to keep now; the dead one's is gone.
-    QVERIFY(Autosave::findRecoverable(root).empty());
-    QVERIFY(!office.window.recovery().offer());
-    office.document().reset(Project{}, {});
-  }
-
   void scenario19_aFolderThatCannotBeWrittenKeepsTheOldFile() {
     OfficeWindow office;
     office.addExact(3);
@@ -209,17 +172,6 @@ class FilesTest : public QObject {
     QVERIFY(office.window.files().saveProjectTo(path));
     QVERIFY(!office.hasMessage(QStringLiteral("save-")));
     QCOMPARE(readProject(toPath(path)).value().slam_maps.at(0).anchors.size(), std::size_t(6));
-  }
-
-  void aCleanEndLeavesNothingToRecover() {
-    {
-      OfficeWindow office;
-      office.addExact(3);
-      office.window.recovery().autosave().flush();
-      QVERIFY(office.window.files().saveProjectTo(sandbox_->path(QStringLiteral("site.c2sproj"))));
-      office.window.recovery().autosave().flush();
-    }
-    QVERIFY(Autosave::findRecoverable(Autosave::defaultRoot()).empty());
   }
 
   void scenario20_movedRenamedAndReplacedImages() {
@@ -475,26 +427,5 @@ class FilesTest : public QObject {
   }
 };
 
-/// Adds anchors as fast as the journal takes them and tells how many are on disk.
-static int editUntilKilled(int argc, char** argv) {
-  QCoreApplication app(argc, argv);
-  ProjectDocument document;
-  Autosave autosave(document, QString::fromLocal8Bit(argv[2]));
-  document.reset(test::smallProject(), "/nowhere/site.c2sproj");
-  QFile out;
-  if (!out.open(stdout, QIODevice::WriteOnly)) return 1;
-  for (int count = 1;; ++count) {
-    edit::addAnchor(document, {0.1 * count, 1.0}, {2.0, 0.2 * count});
-    autosave.flush();
-    out.write(QByteArray::number(count) + '\n');
-    out.flush();
-  }
-}
-
-int main(int argc, char** argv) {
-  if (argc == 3 && qstrcmp(argv[1], kVictimFlag) == 0) return editUntilKilled(argc, argv);
-  QApplication app(argc, argv);
-  FilesTest test;
-  return QTest::qExec(&test, argc, argv);
-}
+QTEST_MAIN(FilesTest)
 #include "files_test.moc"
