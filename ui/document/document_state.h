@@ -33,6 +33,13 @@ inline bool isSameFrame(const MapMetadata& a, const MapMetadata& b) {
          a.metric_from_corner.heading == b.metric_from_corner.heading;
 }
 
+/// Takes over what is known of the same image, where nothing is recorded yet.
+inline void describeLike(ProjectRaster& raster, const ProjectRaster& known) {
+  if (raster.metadata.image != known.metadata.image || !raster.image_sha256.empty()) return;
+  raster.image_bytes = known.image_bytes;
+  raster.image_sha256 = known.image_sha256;
+}
+
 /// Where "ok" ends and where "look" ends: the larger of a number of SLAM map pixels and a length.
 struct ClassLimits {
   double ok_cells = 2.0;

@@ -22,7 +22,18 @@ EditProjectCommand::EditProjectCommand(ProjectDocument& document, DocumentState 
       map_before_(document.currentMapName()),
       map_after_(current_map.empty() ? map_before_ : std::move(current_map)) {}
 
+/// What was found out of the images of a state since it was kept.
+void EditProjectCommand::learn(DocumentState& state) const {
+  const Project& now = document_.project();
+  describeLike(state.project.blueprint, now.blueprint);
+  for (ProjectSlamMap& map : state.project.slam_maps) {
+    for (const ProjectSlamMap& each : now.slam_maps)
+      if (each.name == map.name) describeLike(map.raster, each.raster);
+  }
+}
+
 void EditProjectCommand::redo() {
+  learn(before_);
   ChangeEvent event;
   event.what = what_;
   event.by_history = !first_time_;
@@ -31,6 +42,7 @@ void EditProjectCommand::redo() {
 }
 
 void EditProjectCommand::undo() {
+  learn(after_);
   ChangeEvent event;
   event.what = what_;
   event.by_history = true;

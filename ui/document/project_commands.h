@@ -25,6 +25,8 @@ class EditProjectCommand : public QUndoCommand {
   void undo() override;
 
  private:
+  void learn(DocumentState& state) const;
+
   ProjectDocument& document_;
   DocumentState before_;
   DocumentState after_;

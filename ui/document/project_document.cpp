@@ -158,13 +158,8 @@ void ProjectDocument::markSaved(const std::filesystem::path& path) {
 
 void ProjectDocument::describeRasters(const std::string& map_name, const ProjectRaster& blueprint,
                                       const ProjectRaster& slam) {
-  const auto fill = [](ProjectRaster& mine, const ProjectRaster& found) {
-    if (mine.metadata.image != found.metadata.image || !mine.image_sha256.empty()) return;
-    mine.image_bytes = found.image_bytes;
-    mine.image_sha256 = found.image_sha256;
-  };
-  fill(state_.project.blueprint, blueprint);
-  if (ProjectSlamMap* map = mapNamed(map_name)) fill(map->raster, slam);
+  describeLike(state_.project.blueprint, blueprint);
+  if (ProjectSlamMap* map = mapNamed(map_name)) describeLike(map->raster, slam);
 }
 
 bool ProjectDocument::isModified() const {
@@ -240,9 +235,12 @@ void ProjectDocument::applyState(const DocumentState& state, const std::string& 
   // The half anchor is not part of any command, so it stays, unless its ground has moved.
   const std::string before_name = currentMapName();
   const Project before = std::exchange(state_, state).project;
+  // Size and hash of an image are no part of a command either; one that was chosen anew is found out anew.
+  if (event.by_history) describeLike(state_.project.blueprint, before.blueprint);
   for (ProjectSlamMap& map : state_.project.slam_maps) {
     map.pending.reset();
     const ProjectSlamMap* old = sameMapIn(before, map, state_.project);
+    if (old && event.by_history) describeLike(map.raster, old->raster);
     if (!old || !old->pending) continue;
     const bool in_blueprint = old->pending->in_blueprint;
     const bool stays =

@@ -33,12 +33,17 @@ bool isYaml(const QString& path) {
   return path.endsWith(QStringLiteral(".yaml"), Qt::CaseInsensitive) ||
          path.endsWith(QStringLiteral(".yml"), Qt::CaseInsensitive);
 }
+QString problemId(Side side, const QString& map) {
+  return QStringLiteral("image-%1-%2").arg(side == Side::kBlueprint ? 0 : 1).arg(map);
+}
 
 }  // namespace
 
 ProjectFiles::ProjectFiles(Session& session, MessageBar& messages, QWidget& window, QMenu& recent_menu)
     : QObject(&window), session_(session), messages_(messages), window_(window), recent_menu_(recent_menu) {
   connect(&session_.rasters(), &RasterStore::problem, this, &ProjectFiles::showProblem);
+  connect(&session_.rasters(), &RasterStore::problemsOver, this,
+          [this](Side side) { messages_.showGroup(problemId(side, QString()), {}); });
   connect(&session_.rasters(), &RasterStore::warned, this, [this](const QString& sentence) {
     messages_.show({QStringLiteral("image-note-%1").arg(qHash(sentence)), Severity::kNote, sentence, {}, 0});
   });
@@ -251,7 +256,7 @@ void ProjectFiles::fillRecentMenu() {
 
 void ProjectFiles::showProblem(const RasterProblem& problem) {
   Message message;
-  message.id = QStringLiteral("image-%1-%2").arg(problem.side == Side::kBlueprint ? 0 : 1).arg(toQString(problem.map));
+  message.id = problemId(problem.side, toQString(problem.map));
   message.severity = problem.kind == RasterProblem::Kind::kChanged ? Severity::kWarning : Severity::kError;
   message.text = problem.sentence;
   message.cures.push_back({tr("Find it..."), [this, problem] {
@@ -264,17 +269,17 @@ void ProjectFiles::showProblem(const RasterProblem& problem) {
   messages_.show(std::move(message));
 }
 
+/// Where the project still has the image that the problem is with.
 const ProjectRaster* ProjectFiles::rasterOf(const RasterProblem& problem) const {
   const Project& project = session_.document().project();
-  if (problem.side == Side::kBlueprint) return &project.blueprint;
+  const ProjectRaster* raster = problem.side == Side::kBlueprint ? &project.blueprint : nullptr;
   for (const ProjectSlamMap& map : project.slam_maps)
-    if (map.name == problem.map) return &map.raster;
-  return nullptr;
+    if (problem.side == Side::kSlam && map.name == problem.map) raster = &map.raster;
+  return raster && raster->metadata.image == problem.image ? raster : nullptr;
 }
 
 void ProjectFiles::putRaster(const RasterProblem& problem, const ProjectRaster& raster) {
-  messages_.remove(
-      QStringLiteral("image-%1-%2").arg(problem.side == Side::kBlueprint ? 0 : 1).arg(toQString(problem.map)));
+  messages_.remove(problemId(problem.side, toQString(problem.map)));
   problem.side == Side::kBlueprint ? edit::setBlueprint(session_.document(), raster)
                                    : edit::setSlamRaster(session_.document(), problem.map, raster);
 }

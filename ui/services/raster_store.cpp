@@ -10,6 +10,7 @@
 #include <QFutureWatcher>
 #include <QTimer>
 
+#include <system_error>
 #include <utility>
 
 namespace cad2slam {
@@ -50,12 +51,38 @@ RasterStore::RasterStore(ProjectDocument& document, QObject* parent) : QObject(p
 
 RasterStore::~RasterStore() = default;
 
+std::optional<RasterStore::FileStamp> RasterStore::stampOf(const std::filesystem::path& image) {
+  std::error_code error;
+  FileStamp stamp;
+  stamp.bytes = std::filesystem::file_size(image, error);
+  if (error) return std::nullopt;
+  stamp.written = std::filesystem::last_write_time(image, error);
+  return error ? std::nullopt : std::optional(stamp);
+}
+
+/// Whether what is shown, or being read, is the image that is wanted now, so that only the metric frame may differ.
+bool RasterStore::holds(const Slot& slot, const ProjectRaster& raster, const std::string& map) {
+  if (!slot.frame || !samePixels(*slot.wanted, raster.metadata)) return false;
+  // A file that is gone tells nothing better than what was read of it.
+  if (const auto now = stampOf(raster.metadata.image); now && now != slot.stamp) return false;
+  if (slot.loading) return raster.image_sha256 == slot.recorded_sha256 && map == slot.map;
+  // Chosen anew: the installer knows of another picture in the file, whatever its time says.
+  if (raster.image_sha256.empty()) return false;
+  return raster.image_sha256 == slot.image_sha256 || raster.image_sha256 == slot.recorded_sha256;
+}
+
 void RasterStore::follow(Side side, const ProjectRaster* raster, const std::string& map) {
   Slot& slot = at(side);
   if (!raster || raster->metadata.image.empty()) {
     slot.clear();
+    emit problemsOver(side);
     emit changed(side, true);
-  } else if (slot.wanted && samePixels(*slot.wanted, raster->metadata) && slot.frame) {
+  } else if (holds(slot, *raster, map)) {
+    slot.recorded_sha256 = raster->image_sha256;
+    if (slot.image_changed && slot.recorded_sha256 == slot.image_sha256) {
+      slot.image_changed = false;
+      emit problemsOver(side);
+    }
     reframe(side, raster->metadata);
   } else {
     load(side, *raster, map);
@@ -78,8 +105,12 @@ void RasterStore::load(Side side, const ProjectRaster& raster, const std::string
   Slot& slot = at(side);
   slot.clear();
   slot.wanted = raster.metadata;
+  slot.map = map;
+  slot.recorded_sha256 = raster.image_sha256;
+  slot.stamp = stampOf(raster.metadata.image);  // before the first byte is read: a later change is seen
   slot.loading = true;
   const int ticket = slot.ticket;
+  emit problemsOver(side);
   emit changed(side, true);
   // After what is already waiting to be painted, for which the threads would take the processors away.
   QTimer::singleShot(1, this, [this, side, raster, map, ticket] {

@@ -11,6 +11,7 @@
 #include <QObject>
 
 #include <cstdint>
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
@@ -52,11 +53,23 @@ class RasterStore : public QObject {
   /// Picture, frame or grid of a side are there, others, or gone. `new_picture`: not just another frame for it.
   void changed(cad2slam::Side side, bool new_picture);
   void problem(const cad2slam::RasterProblem& problem);
+  /// What was told of the image of a side holds no more: it is gone, read anew or accepted.
+  void problemsOver(cad2slam::Side side);
   void warned(const QString& sentence);
 
  private:
+  /// What tells without reading it that an image file is still the same.
+  struct FileStamp {
+    std::uintmax_t bytes = 0;
+    std::filesystem::file_time_type written;
+
+    friend bool operator==(const FileStamp&, const FileStamp&) = default;
+  };
   struct Slot {
     std::optional<MapMetadata> wanted;
+    std::string map;              // that it was asked for
+    std::string recorded_sha256;  // of the image the project wants; empty: any
+    std::optional<FileStamp> stamp;
     std::optional<MapFrame> frame;
     std::shared_ptr<TilePyramid> picture;
     std::shared_ptr<const OccupancyGrid> grid;
@@ -75,7 +88,9 @@ class RasterStore : public QObject {
 
   [[nodiscard]] Slot& at(Side side) { return slots_[side == Side::kBlueprint ? 0 : 1]; }
   [[nodiscard]] const Slot& at(Side side) const { return slots_[side == Side::kBlueprint ? 0 : 1]; }
+  [[nodiscard]] static std::optional<FileStamp> stampOf(const std::filesystem::path& image);
   void follow(Side side, const ProjectRaster* raster, const std::string& map);
+  [[nodiscard]] static bool holds(const Slot& slot, const ProjectRaster& raster, const std::string& map);
   void reframe(Side side, const MapMetadata& metadata);
   void load(Side side, const ProjectRaster& raster, const std::string& map);
   void read(Side side, const ProjectRaster& raster, const std::string& map);

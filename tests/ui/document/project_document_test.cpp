@@ -299,6 +299,33 @@ class ProjectDocumentTest : public QObject {
     QVERIFY((announced(undo) & needed) == needed);
   }
 
+  void whatIsKnownOfTheImagesSurvivesUndo() {
+    const auto described = [](const ProjectRaster& raster, const char* hash) {
+      ProjectRaster result = raster;
+      result.image_bytes = 7;
+      result.image_sha256 = hash;
+      return result;
+    };
+    const auto hash_now = [this] { return document_.project().blueprint.image_sha256; };
+    edit::addSlamMap(document_, "robot 2", document_.project().slam_maps[0].raster);
+    ProjectRaster plan = document_.project().blueprint;
+    document_.describeRasters("robot 2", described(plan, "plan"), described(document_.currentMap()->raster, "slam"));
+    document_.undoStack().undo();
+    QCOMPARE(hash_now(), std::string("plan"));
+    QCOMPARE(document_.project().blueprint.image_bytes, std::uintmax_t(7));
+    document_.undoStack().redo();
+    QCOMPARE(hash_now(), std::string("plan"));
+    QCOMPARE(document_.currentMap()->raster.image_sha256, std::string("slam"));
+    // The same file chosen anew holds another picture; undo goes back to the first, redo to the second.
+    edit::setBlueprint(document_, plan);
+    QVERIFY(hash_now().empty());
+    document_.describeRasters({}, described(plan, "plan as it is now"), {});
+    document_.undoStack().undo();
+    QCOMPARE(hash_now(), std::string("plan"));
+    document_.undoStack().redo();
+    QCOMPARE(hash_now(), std::string("plan as it is now"));
+  }
+
   void lockedAnchorsStayWhoeverAsks() {
     addThree();
     document_.setLocked(true);

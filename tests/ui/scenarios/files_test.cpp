@@ -197,8 +197,9 @@ class FilesTest : public QObject {
       QVERIFY(office.window.files().openProject(there + QStringLiteral("/site.c2sproj")));
       QTRY_VERIFY_WITH_TIMEOUT(office.hasMessage(QStringLiteral("image-1")), test::kPatience);
       QCOMPARE(office.document().anchors().size(), std::size_t(4));
+      const std::filesystem::path image = office.document().currentMap()->raster.metadata.image;
       RasterProblem problem{
-          RasterProblem::Kind::kMissing, Side::kSlam, office.document().currentMapName(), {}, {}, 0, {}};
+          RasterProblem::Kind::kMissing, Side::kSlam, office.document().currentMapName(), image, {}, 0, {}};
       QVERIFY(office.window.files().relocate(problem, there + QStringLiteral("/renamed.png")));
       QVERIFY(office.waitUntilReady());
       QVERIFY(office.waitUntilSolved());
@@ -231,6 +232,42 @@ class FilesTest : public QObject {
       QTRY_VERIFY_WITH_TIMEOUT(office.hasMessage(QStringLiteral("image-0")), test::kPatience);
       QCOMPARE(office.document().anchors().size(), std::size_t(4));
     }
+  }
+
+  void scenario20_whatIsSaidOfAnImageGoesWithIt() {
+    const QString folder = sandbox_->path(QStringLiteral("here"));
+    QVERIFY(copyOffice(folder));
+    const QString project = folder + QStringLiteral("/site.c2sproj");
+    const QString other = sandbox_->path(QStringLiteral("other.png"));
+    QVERIFY(QFile::copy(folder + QStringLiteral("/blueprint.png"), other));
+    {
+      OfficeWindow office(false);
+      QVERIFY(office.setMaps(folder + QStringLiteral("/blueprint.yaml"), folder + QStringLiteral("/slam_1.yaml")));
+      QTRY_VERIFY_WITH_TIMEOUT(!office.session().rasters().isLoading(), test::kPatience);
+      QVERIFY(office.window.files().saveProjectTo(project));
+    }
+    QImage changed(folder + QStringLiteral("/blueprint.png"));
+    changed.invertPixels();
+    QVERIFY(changed.save(folder + QStringLiteral("/blueprint.png")));
+    OfficeWindow office(false);
+    std::vector<RasterProblem> problems;
+    connect(&office.session().rasters(), &RasterStore::problem, this,
+            [&](const RasterProblem& problem) { problems.push_back(problem); });
+    QVERIFY(office.window.files().openProject(project));
+    QTRY_VERIFY_WITH_TIMEOUT(office.hasMessage(QStringLiteral("image-0")), test::kPatience);
+    QVERIFY(office.window.files().setImage(Side::kBlueprint, other, 0.05));
+    QVERIFY(!office.hasMessage(QStringLiteral("image-0")));
+    QVERIFY(office.waitUntilReady());
+    // What comes too late, a dialog that was still open for instance, does no harm.
+    const std::string before = test::fingerprint(office.document());
+    QCOMPARE(problems.size(), std::size_t(1));
+    office.window.files().acceptChanged(problems[0]);
+    QVERIFY(!office.window.files().relocate(problems[0], folder + QStringLiteral("/slam_1.png")));
+    QCOMPARE(test::fingerprint(office.document()), before);
+    office.document().undoStack().undo();
+    QTRY_VERIFY_WITH_TIMEOUT(office.hasMessage(QStringLiteral("image-0")), test::kPatience);
+    office.document().reset(Project{}, {});
+    QVERIFY(!office.hasMessage(QStringLiteral("image-0")));
   }
 
   void aSlamImageThatBreaksOffIsNamed() {
@@ -374,7 +411,8 @@ class FilesTest : public QObject {
     QImage picture(here + QStringLiteral("/blueprint.png"));
     picture.invertPixels();
     QVERIFY(picture.save(here + QStringLiteral("/inverted.png")));
-    QVERIFY(office.window.files().relocate({RasterProblem::Kind::kChanged, Side::kBlueprint, {}, {}, {}, 0, {}},
+    const std::filesystem::path image = office.document().project().blueprint.metadata.image;
+    QVERIFY(office.window.files().relocate({RasterProblem::Kind::kChanged, Side::kBlueprint, {}, image, {}, 0, {}},
                                            here + QStringLiteral("/inverted.png")));
     QVERIFY(office.waitUntilReady());
     QTRY_VERIFY_WITH_TIMEOUT(office.hasMessage(QStringLiteral("image-0")), test::kPatience);
