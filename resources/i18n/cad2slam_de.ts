@@ -3094,6 +3094,22 @@ Karten-YAML, PGM, PNG oder TIFF</translation>
 <context>
     <name>cad2slam::ProjectFiles</name>
     <message>
+        <source>Project changed on disk</source>
+        <translation>Projekt auf der Festplatte geändert</translation>
+    </message>
+    <message>
+        <source>%1 was saved by another program after it was opened here.</source>
+        <translation>%1 wurde von einem anderen Programm gespeichert, nachdem es hier geöffnet wurde.</translation>
+    </message>
+    <message>
+        <source>To replace it loses what was done there.</source>
+        <translation>Wird es ersetzt, geht verloren, was dort getan wurde.</translation>
+    </message>
+    <message>
+        <source>Replace</source>
+        <translation>Ersetzen</translation>
+    </message>
+    <message>
         <source>One anchor has only one half: click its counterpart, or press Esc to drop it</source>
         <translation>Ein Anker hat nur eine Hälfte: sein Gegenstück anklicken oder mit Esc fallen lassen</translation>
     </message>

@@ -3094,6 +3094,22 @@ YAML de mapa, PGM, PNG o TIFF</translation>
 <context>
     <name>cad2slam::ProjectFiles</name>
     <message>
+        <source>Project changed on disk</source>
+        <translation>Proyecto modificado en el disco</translation>
+    </message>
+    <message>
+        <source>%1 was saved by another program after it was opened here.</source>
+        <translation>Otro programa guardó %1 después de que se abriera aquí.</translation>
+    </message>
+    <message>
+        <source>To replace it loses what was done there.</source>
+        <translation>Si se reemplaza, se pierde lo que se hizo allí.</translation>
+    </message>
+    <message>
+        <source>Replace</source>
+        <translation>Reemplazar</translation>
+    </message>
+    <message>
         <source>One anchor has only one half: click its counterpart, or press Esc to drop it</source>
         <translation>Un ancla tiene solo una mitad: haga clic en su contraparte o pulse Esc para soltarla</translation>
     </message>

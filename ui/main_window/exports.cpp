@@ -9,6 +9,7 @@
 #include "ui/dialogs/save_path.h"
 #include "ui/document/anchor_commands.h"
 #include "ui/engine_sentences.h"
+#include "ui/main_window/typing.h"
 #include "ui/models/number_text.h"
 #include "ui/panels/message_bar.h"
 #include "ui/services/guarded.h"
@@ -314,12 +315,14 @@ void Exports::askImportAnchors() {
 }
 
 void Exports::askExportAnchors() {
+  finishTyping(window_);
   const QString path = askSavePath(&window_, tr("Export anchors"), suggestion(QStringLiteral("-anchors.csv")),
                                    tr("Anchors (*.csv)"), QStringLiteral(".csv"));
   if (!path.isEmpty()) exportAnchors(path);
 }
 
 void Exports::askExportProjector() {
+  finishTyping(window_);
   const std::vector<ExportCheck> checks = exportChecks(session_, findings_ ? findings_() : QStringList());
   if (!ExportDialog::ask(&window_, checks)) return;
   const QString path = askSavePath(&window_, tr("Export projector"), suggestion(QStringLiteral(".c2s")),

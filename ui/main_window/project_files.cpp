@@ -3,11 +3,13 @@
 #include "ui/main_window/project_files.h"
 
 #include "cad2slam/io/project_file.h"
+#include "cad2slam/io/sha256.h"
 #include "ui/convert.h"
 #include "ui/dialogs/save_path.h"
 #include "ui/dialogs/scale_dialog.h"
 #include "ui/document/project_commands.h"
 #include "ui/engine_sentences.h"
+#include "ui/main_window/typing.h"
 #include "ui/panels/message_bar.h"
 
 #include <QFileDialog>
@@ -46,6 +48,9 @@ ProjectFiles::ProjectFiles(Session& session, MessageBar& messages, QWidget& wind
           [this](Side side) { messages_.showGroup(problemId(side, QString()), {}); });
   connect(&session_.rasters(), &RasterStore::warned, this, [this](const QString& sentence) {
     messages_.show({QStringLiteral("image-note-%1").arg(qHash(sentence)), Severity::kNote, sentence, {}, 0});
+  });
+  connect(&session_.document(), &ProjectDocument::changed, this, [this](const ChangeEvent& event) {
+    if (event.what & Change::kEverything) lookAtFile();
   });
   connect(&recent_menu_, &QMenu::aboutToShow, this, &ProjectFiles::fillRecentMenu);
   remember_timer_.setSingleShot(true);
@@ -103,6 +108,7 @@ bool ProjectFiles::saveProjectTo(const QString& path) {
   }
   messages_.remove(QStringLiteral("save"));
   document.markSaved(target);
+  lookAtFile();
   remember(path);
   const bool half = document.pending().has_value();
   messages_.show({QStringLiteral("saved"),
@@ -174,12 +180,37 @@ void ProjectFiles::askOpen() {
   if (!path.isEmpty()) openProject(path);
 }
 
-bool ProjectFiles::askSave() {
+void ProjectFiles::lookAtFile() {
   const std::filesystem::path& path = session_.document().path();
-  return path.empty() ? askSaveAs() : saveProjectTo(toQString(path));
+  file_sha256_ = path.empty() ? std::string() : sha256HexOfFile(path).value_or(std::string());
+}
+
+bool ProjectFiles::isFileReplaced() const {
+  const Result<std::string> now = sha256HexOfFile(session_.document().path());
+  return now && *now != file_sha256_;
+}
+
+bool ProjectFiles::askSave() {
+  finishTyping(window_);
+  const QString path = toQString(session_.document().path());
+  if (path.isEmpty()) return askSaveAs();
+  if (!isFileReplaced()) return saveProjectTo(path);
+  QMessageBox box(QMessageBox::Warning, tr("Project changed on disk"),
+                  tr("%1 was saved by another program after it was opened here.").arg(QFileInfo(path).fileName()),
+                  QMessageBox::Cancel, &window_);
+  box.setObjectName(QStringLiteral("replacedQuestion"));
+  box.setTextFormat(Qt::PlainText);
+  box.setInformativeText(tr("To replace it loses what was done there."));
+  const QPushButton* replace = box.addButton(tr("Replace"), QMessageBox::DestructiveRole);
+  QPushButton* elsewhere = box.addButton(tr("Save elsewhere..."), QMessageBox::AcceptRole);
+  box.setDefaultButton(elsewhere);
+  box.exec();
+  if (box.clickedButton() == elsewhere) return askSaveAs();
+  return box.clickedButton() == replace && saveProjectTo(path);
 }
 
 bool ProjectFiles::askSaveAs() {
+  finishTyping(window_);
   const std::filesystem::path& now = session_.document().path();
   const QString proposal = now.empty() ? folder() + QStringLiteral("/site.c2sproj") : toQString(now);
   const QString path =
@@ -195,6 +226,7 @@ void ProjectFiles::askImage(Side side) {
 }
 
 bool ProjectFiles::mayClose() {
+  finishTyping(window_);
   if (!session_.document().isModified()) return true;
   QMessageBox box(QMessageBox::Question, tr("Unsaved changes"), tr("The project has changes that are not saved."),
                   QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, &window_);

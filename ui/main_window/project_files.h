@@ -10,6 +10,7 @@
 #include <QTimer>
 
 #include <functional>
+#include <string>
 
 class QMenu;
 class QWidget;
@@ -40,7 +41,8 @@ class ProjectFiles : public QObject {
 
   void askNew();
   void askOpen();
-  bool askSave();  ///< false where the installer changed their mind, or it failed
+  /// False where the installer changed their mind, or it failed. Asks where another program has saved into the file.
+  bool askSave();
   bool askSaveAs();
   void askImage(Side side);
   /// Save / Discard / Cancel where there is something to save; false on Cancel.
@@ -53,6 +55,8 @@ class ProjectFiles : public QObject {
  private:
   [[nodiscard]] const ProjectRaster* rasterOf(const RasterProblem& problem) const;
   void putRaster(const RasterProblem& problem, const ProjectRaster& raster);
+  void lookAtFile();
+  [[nodiscard]] bool isFileReplaced() const;
   void remember(const QString& path);
   void writeRemembered();
   void fillRecentMenu();
@@ -66,6 +70,7 @@ class ProjectFiles : public QObject {
   QWidget& window_;
   QMenu& recent_menu_;
   std::function<void()> before_save_;
+  std::string file_sha256_;  // of the project's file as this window read or wrote it; empty: there was none
   QStringList to_remember_;  // paths, the newest last
   QTimer remember_timer_;
 };

@@ -1,0 +1,12 @@
+// SPDX-FileCopyrightText: 2026 The CAD2SLAM authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+class QWidget;
+
+namespace cad2slam {
+
+/// What is being typed into a cell of a table counts: it goes into the document before that is saved or exported.
+void finishTyping(const QWidget& window);
+
+}  // namespace cad2slam
