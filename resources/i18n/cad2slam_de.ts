@@ -2221,8 +2221,8 @@
         <translation>Wie weit die Ausrichtung hier ohne diesen Anker danebenläge (ab 4 Ankern)</translation>
     </message>
     <message>
-        <source>● OK, ◆ have a look, ■ bad, ○ off; the limits are in the settings</source>
-        <translation>● OK, ◆ ansehen, ■ schlecht, ○ aus; die Grenzen stehen in den Einstellungen</translation>
+        <source>● OK, ◆ have a look, ■ bad: beyond the limit and worse than the others, ○ off; the limits are in the settings</source>
+        <translation>● OK, ◆ ansehen, ■ schlecht: jenseits der Grenze und schlechter als die anderen, ○ aus; die Grenzen stehen in den Einstellungen</translation>
     </message>
     <message>
         <source>In the image at %1, %2 px</source>
@@ -2492,6 +2492,14 @@
         <source>Blueprint %1 m, SLAM map %2 m between the two anchors (%3 %): the scale of the blueprint fits</source>
         <translation>Bauplan %1 m, SLAM-Karte %2 m zwischen den zwei Ankern (%3 %): der Maßstab des Bauplans passt</translation>
     </message>
+    <message>
+        <source>The anchors do not predict each other: without itself, one is typically %1 off. Some are misplaced, or more are needed between them</source>
+        <translation>Die Anker sagen einander nicht voraus: ohne sich selbst liegt einer meist %1 daneben. Einige sitzen falsch, oder dazwischen fehlen welche</translation>
+    </message>
+    <message>
+        <source>After half a turn the anchors would fit as well: make sure that the SLAM map is the right way round, and add an anchor that has none opposite</source>
+        <translation>Nach einer halben Drehung würden die Anker genauso passen: prüfen Sie, ob die SLAM-Karte richtig herum liegt, und setzen Sie einen Anker, dem keiner gegenüberliegt</translation>
+    </message>
 </context>
 <context>
     <name>cad2slam::ExportDialog</name>
@@ -2694,6 +2702,10 @@
     <message>
         <source>The SLAM map is not the image this project was made with</source>
         <translation>Die SLAM-Karte ist nicht das Bild, mit dem dieses Projekt gemacht wurde</translation>
+    </message>
+    <message>
+        <source>Without itself, an anchor is typically %1 off; %2 anchors are used, RMS of the residuals %3</source>
+        <translation>Ohne sich selbst liegt ein Anker meist %1 daneben; %2 Anker werden benutzt, quadratisches Mittel der Restfehler %3</translation>
     </message>
 </context>
 <context>
@@ -3390,8 +3402,8 @@ Karten-YAML, PGM, PNG oder TIFF</translation>
         <translation>Widerstand gegen Dehnung:</translation>
     </message>
     <message>
-        <source>An anchor is judged by the error without it, from four anchors on. The larger of a length and a number of SLAM map pixels counts. These limits are kept in the project.</source>
-        <translation>Ein Anker wird, ab vier Ankern, nach dem Fehler ohne ihn beurteilt. Es zählt das Größere von einer Länge und einer Zahl von Pixeln der SLAM-Karte. Diese Grenzen stehen im Projekt.</translation>
+        <source>An anchor is judged by the error without it, from four anchors on. The larger of a length and a number of SLAM map pixels counts. Bad is what is beyond the last limit and worse than the others; when most are beyond it, a message says so. These limits are kept in the project.</source>
+        <translation>Ein Anker wird, ab vier Ankern, nach dem Fehler ohne ihn beurteilt. Es zählt das Größere von einer Länge und einer Zahl von Pixeln der SLAM-Karte. Schlecht ist, was jenseits der letzten Grenze und schlechter als die anderen ist; liegen die meisten jenseits, sagt das eine Meldung. Diese Grenzen stehen im Projekt.</translation>
     </message>
     <message>
         <source>● OK up to (m):</source>

@@ -2221,8 +2221,8 @@
         <translation>Cuánto erraría aquí la alineación sin esta ancla (desde 4 anclas)</translation>
     </message>
     <message>
-        <source>● OK, ◆ have a look, ■ bad, ○ off; the limits are in the settings</source>
-        <translation>● OK, ◆ revisar, ■ mala, ○ apagada; los límites están en los ajustes</translation>
+        <source>● OK, ◆ have a look, ■ bad: beyond the limit and worse than the others, ○ off; the limits are in the settings</source>
+        <translation>● OK, ◆ revisar, ■ mala: fuera del límite y peor que las demás, ○ apagada; los límites están en los ajustes</translation>
     </message>
     <message>
         <source>In the image at %1, %2 px</source>
@@ -2492,6 +2492,14 @@
         <source>Blueprint %1 m, SLAM map %2 m between the two anchors (%3 %): the scale of the blueprint fits</source>
         <translation>Plano %1 m, mapa SLAM %2 m entre las dos anclas (%3 %): la escala del plano concuerda</translation>
     </message>
+    <message>
+        <source>The anchors do not predict each other: without itself, one is typically %1 off. Some are misplaced, or more are needed between them</source>
+        <translation>Las anclas no se predicen entre sí: sin ella misma, una queda normalmente a %1. Algunas están mal puestas, o faltan más entre ellas</translation>
+    </message>
+    <message>
+        <source>After half a turn the anchors would fit as well: make sure that the SLAM map is the right way round, and add an anchor that has none opposite</source>
+        <translation>Tras media vuelta las anclas encajarían igual: compruebe que el mapa SLAM está bien orientado y añada un ancla que no tenga otra enfrente</translation>
+    </message>
 </context>
 <context>
     <name>cad2slam::ExportDialog</name>
@@ -2694,6 +2702,10 @@
     <message>
         <source>The SLAM map is not the image this project was made with</source>
         <translation>El mapa SLAM no es la imagen con la que se hizo este proyecto</translation>
+    </message>
+    <message>
+        <source>Without itself, an anchor is typically %1 off; %2 anchors are used, RMS of the residuals %3</source>
+        <translation>Sin ella misma, un ancla queda normalmente a %1; se usan %2 anclas, RMS de los residuos %3</translation>
     </message>
 </context>
 <context>
@@ -3390,8 +3402,8 @@ YAML de mapa, PGM, PNG o TIFF</translation>
         <translation>Resistencia al estiramiento:</translation>
     </message>
     <message>
-        <source>An anchor is judged by the error without it, from four anchors on. The larger of a length and a number of SLAM map pixels counts. These limits are kept in the project.</source>
-        <translation>Un ancla se juzga, desde cuatro, por el error sin ella. Cuenta lo mayor entre una longitud y un número de píxeles del mapa SLAM. Estos límites se guardan en el proyecto.</translation>
+        <source>An anchor is judged by the error without it, from four anchors on. The larger of a length and a number of SLAM map pixels counts. Bad is what is beyond the last limit and worse than the others; when most are beyond it, a message says so. These limits are kept in the project.</source>
+        <translation>Un ancla se juzga, desde cuatro, por el error sin ella. Cuenta lo mayor entre una longitud y un número de píxeles del mapa SLAM. Mala es la que pasa el último límite y es peor que las demás; si lo pasan la mayoría, un mensaje lo dice. Estos límites se guardan en el proyecto.</translation>
     </message>
     <message>
         <source>● OK up to (m):</source>

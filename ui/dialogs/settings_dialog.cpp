@@ -132,7 +132,8 @@ QWidget* SettingsDialog::limitsPage() {
   auto* form = new QFormLayout(page);
   auto* text =
       new QLabel(tr("An anchor is judged by the error without it, from four anchors on. The larger of a length "
-                    "and a number of SLAM map pixels counts. These limits are kept in the project."),
+                    "and a number of SLAM map pixels counts. Bad is what is beyond the last limit and worse than the "
+                    "others; when most are beyond it, a message says so. These limits are kept in the project."),
                  page);
   text->setWordWrap(true);
   form->addRow(text);

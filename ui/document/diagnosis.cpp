@@ -3,6 +3,7 @@
 #include "ui/document/diagnosis.h"
 
 #include "cad2slam/geometry/similarity_fit.h"
+#include "ui/document/judgement.h"
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
@@ -27,6 +28,8 @@ constexpr double kSwapGain = 0.5;            // and a swap by this one
 constexpr std::size_t kSwapCandidates = 12;  // worst anchors among which swaps are tried
 constexpr double kOutlierRatio = 4.0;        // against the median of the others
 constexpr std::size_t kOutlierFrom = 5;      // with fewer nobody knows which one is wrong
+constexpr double kOppositeShare = 0.1;       // of the anchors' extent, for two that lie opposite to each other
+constexpr double kHalfTurnLoss = 1.25;       // a half turn may fit worse by this factor and still be possible
 constexpr double kLargestCoordinate = 1e8;   // [m]
 
 /// Finite, and not so large that squares of differences are no numbers any more.
@@ -69,7 +72,11 @@ class Diagnosis {
     if (!robust) return;
     const bool mirrored = findMirrored();
     const bool swapped = !mirrored && findSwapped(*robust);
-    if (!mirrored && !swapped) findOutlier();
+    if (!mirrored && !swapped) {
+      findOutlier();
+      findUnpredicted();
+      findHalfTurn(*robust);
+    }
     if (!mirrored) findScale(*robust);
     findFolds();
     findLine();
@@ -214,6 +221,36 @@ class Diagnosis {
     }
     if (worst && worst->leave_one_out_m > look_m_ && worst->leave_one_out_m > kOutlierRatio * median(errors))
       add({Kind::kOutlier, {worst->id}, worst->leave_one_out_m, 0.0, {}});
+  }
+
+  void findUnpredicted() {
+    if (!input_.solution) return;
+    const AlignmentSummary summary = summarize(input_.anchors, input_.solution->anchors);
+    if (!isUnpredicted(summary, input_.limits, input_.slam_m_per_px)) return;
+    add({Kind::kUnpredicted, {}, *summary.median_leave_one_out_m, 0.0, farthestNode()});
+  }
+
+  /// The corners of a building look alike from both ends. No residual tells which end is which when each anchor has
+  /// another one opposite.
+  void findHalfTurn(const Similarity2& robust) {
+    if (used_.size() < 4) return;
+    const Vector2d middle = middleOfAnchors();
+    double extent = 0.0;
+    for (const PointPair& pair : pairs_) extent = std::max(extent, (pair.source - middle).norm());
+    std::vector<PointPair> turned = pairs_;
+    for (std::size_t i = 0; i < pairs_.size(); ++i) {
+      const Vector2d opposite = 2.0 * middle - pairs_[i].source;
+      const auto found = std::min_element(pairs_.begin(), pairs_.end(), [&](const PointPair& a, const PointPair& b) {
+        return (a.source - opposite).squaredNorm() < (b.source - opposite).squaredNorm();
+      });
+      if ((found->source - opposite).norm() > kOppositeShare * extent) return;
+      turned[i].target = found->target;
+    }
+    const Result<Similarity2> fit = fitSimilarity(turned, std::nullopt);
+    if (!fit) return;
+    const double rms_turned = rmsResidual(*fit, turned);
+    const double rms = rmsResidual(robust, pairs_);
+    if (rms_turned <= std::max(kHalfTurnLoss * rms, look_m_)) add({Kind::kHalfTurn, {}, rms_turned, rms, {}});
   }
 
   void findScale(const Similarity2& robust) {

@@ -30,6 +30,8 @@ struct Finding {
     kSimilarityEnough,  ///< bending gains nothing; value: median error without bending [m]
     kOutsideImage,      ///< these anchors lie beside the image of a side
     kUnknownGround,     ///< these anchors lie where the map of a side shows neither floor nor wall
+    kUnpredicted,       ///< anchors are far from where the others put them; value: typically [m], place: far from all
+    kHalfTurn,          ///< each anchor taken for the one opposite fits about as well; value: RMS then, other: now [m]
   };
   Kind kind = Kind::kOutlier;
   std::vector<AnchorId> anchors;

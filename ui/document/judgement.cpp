@@ -13,6 +13,10 @@ namespace {
 constexpr double kAgainstMedian = 2.0;
 constexpr std::size_t kSpreadFrom = 6;  // fewer numbers have no meaningful standard deviation
 
+double lookLimit(const ClassLimits& limits, double slam_m_per_px) {
+  return std::max(limits.look_cells * slam_m_per_px, limits.look_m);
+}
+
 std::optional<double> finiteOrNothing(double value) {
   return std::isfinite(value) ? std::optional(value) : std::nullopt;
 }
@@ -43,7 +47,7 @@ std::map<AnchorId, AnchorJudgement> judgeAnchors(const AnchorList& anchors, cons
   const double spread = std::sqrt(std::max(0.0, squares / count - mean * mean));
   const double median = summarize(anchors, fits).median_leave_one_out_m.value_or(0.0);
   const double ok = std::max(limits.ok_cells * slam_m_per_px, limits.ok_m);
-  const double look = std::max(limits.look_cells * slam_m_per_px, limits.look_m);
+  const double look = lookLimit(limits, slam_m_per_px);
 
   std::map<AnchorId, AnchorJudgement> judgements;
   for (const Anchor& anchor : anchors) {
@@ -96,6 +100,10 @@ AlignmentSummary summarize(const AnchorList& anchors, const std::vector<AnchorFi
     summary.median_leave_one_out_m = median;
   }
   return summary;
+}
+
+bool isUnpredicted(const AlignmentSummary& summary, const ClassLimits& limits, double slam_m_per_px) {
+  return summary.median_leave_one_out_m.value_or(0.0) > lookLimit(limits, slam_m_per_px);
 }
 
 }  // namespace cad2slam

@@ -41,13 +41,20 @@ struct AlignmentSummary {
 /// Anchors used from which leave-one-out says something.
 inline constexpr std::size_t kLeaveOneOutFrom = 4;
 
-/// Judges each anchor: by its leave-one-out error from 4 anchors on, else by its residual. "Bad" is also what lies more
-/// than two standard deviations above the mean of an otherwise plausible set (and is not "ok" by itself).
-/// `slam_m_per_px`: of the SLAM map; anchors without a fit are plain or disabled.
+/// Judges each anchor: by its leave-one-out error from 4 anchors on, else by its residual. "Bad" is what is above the
+/// look limit and also stands out: the alignment does not reach it either (residual above the ok limit), or it is
+/// missed by more than twice the median. A few good anchors on a bent map are all above the limit; when all are,
+/// isUnpredicted() says so of the whole. "Bad" is also what lies more than two standard deviations above the mean of an
+/// otherwise plausible set (and is not "ok" by itself). `slam_m_per_px`: of the SLAM map; anchors without a fit are
+/// plain or disabled.
 [[nodiscard]] std::map<AnchorId, AnchorJudgement> judgeAnchors(const AnchorList& anchors,
                                                                const std::vector<AnchorFit>& fits,
                                                                const ClassLimits& limits, double slam_m_per_px);
 
 [[nodiscard]] AlignmentSummary summarize(const AnchorList& anchors, const std::vector<AnchorFit>& fits);
+
+/// Whether the anchors do not predict each other: most would be missed by more than the look limit without themselves.
+/// False below 4 anchors, which say nothing of it.
+[[nodiscard]] bool isUnpredicted(const AlignmentSummary& summary, const ClassLimits& limits, double slam_m_per_px);
 
 }  // namespace cad2slam

@@ -217,6 +217,17 @@ Message DiagnosisMessages::messageOf(const Finding& finding) {
           tr("Anchor %1 does not fit the others: they put it %2 away").arg(first).arg(lengthText(finding.value));
       message.cures = {showCure(finding), disable(first)};
       break;
+    case Kind::kUnpredicted:
+      message.text = tr("The anchors do not predict each other: without itself, one is typically %1 off. Some are "
+                        "misplaced, or more are needed between them")
+                         .arg(lengthText(finding.value));
+      if (finding.place) message.cures = {placeCure(finding)};
+      break;
+    case Kind::kHalfTurn:
+      message.text =
+          tr("After half a turn the anchors would fit as well: make sure that the SLAM map is the right way "
+             "round, and add an anchor that has none opposite");
+      break;
     case Kind::kFolded:
       message.text =
           finding.anchors.size() == 2

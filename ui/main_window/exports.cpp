@@ -94,9 +94,18 @@ std::vector<ExportCheck> exportChecks(Session& session, const QStringList& findi
         {Verdict::kWarning, Exports::tr("Only %1 anchors are used: the map is not bent to fit; 4 or more are "
                                         "needed for checked results")
                                 .arg(summary.used)});
+  } else if (!summary.median_leave_one_out_m) {
+    checks.push_back({Verdict::kWarning, Exports::tr("%1 anchors are used, RMS of the residuals %2")
+                                             .arg(summary.used)
+                                             .arg(lengthText(summary.rms_residual_m.value_or(0.0)))});
   } else {
-    checks.push_back({summary.used < kLeaveOneOutFrom ? Verdict::kWarning : Verdict::kGood,
-                      Exports::tr("%1 anchors are used, RMS of the residuals %2")
+    // A mesh bends to whatever it is given: only what an anchor is missed by without itself tells how good it is.
+    const double slam_m_per_px = session.rasters().frame(Side::kSlam)->resolution();
+    const bool unpredicted = isUnpredicted(summary, session.document().state().limits, slam_m_per_px);
+    checks.push_back({unpredicted ? Verdict::kWarning : Verdict::kGood,
+                      Exports::tr("Without itself, an anchor is typically %1 off; %2 anchors are used, RMS of the "
+                                  "residuals %3")
+                          .arg(lengthText(*summary.median_leave_one_out_m))
                           .arg(summary.used)
                           .arg(lengthText(summary.rms_residual_m.value_or(0.0)))});
   }

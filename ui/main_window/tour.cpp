@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/main_window/tour.h"
 
+#include "cad2slam/io/map_yaml.h"
 #include "cad2slam/io/project_file.h"
+#include "ui/convert.h"
 #include "ui/main_window/main_window.h"
 #include "ui/main_window/project_files.h"
 #include "ui/panels/message_bar.h"
@@ -10,14 +12,32 @@
 #include <QCoreApplication>
 #include <QFileInfo>
 
+#include <utility>
+
 namespace cad2slam {
 namespace {
 
 constexpr int kSteps = 6;
 
+/// The sample as a project, or nothing where it cannot be read. Of the two SLAM maps the one that lies as the plan
+/// does: the other is turned by half a turn, and who takes its corners for the same-looking ones aligns it wrongly.
+std::optional<Project> sampleProject(const QString& folder) {
+  const Result<MapYaml> blueprint = readMapYaml(toPath(folder + QStringLiteral("/blueprint.yaml")));
+  const Result<MapYaml> slam = readMapYaml(toPath(folder + QStringLiteral("/slam_2.yaml")));
+  if (!blueprint || !slam) return std::nullopt;
+  Project project;
+  project.blueprint.metadata = blueprint->metadata;
+  ProjectSlamMap map;
+  map.name = "slam_2";
+  map.raster.metadata = slam->metadata;
+  project.slam_maps.push_back(std::move(map));
+  return project;
+}
+
 }  // namespace
 
-Tour::Tour(MainWindow& window) : QObject(&window), window_(window) {}
+Tour::Tour(MainWindow& window, std::optional<QString> sample)
+    : QObject(&window), window_(window), sample_(std::move(sample)) {}
 
 std::optional<QString> Tour::sampleFolder() {
   const QString program = QCoreApplication::applicationDirPath();
@@ -30,8 +50,8 @@ std::optional<QString> Tour::sampleFolder() {
 }
 
 void Tour::start() {
-  const std::optional<QString> folder = sampleFolder();
-  if (!folder) {
+  std::optional<Project> project = sample_ ? sampleProject(*sample_) : std::nullopt;
+  if (!project) {
     window_.messages().show({QStringLiteral("tour"),
                              Severity::kNote,
                              tr("The sample building is not installed; drop your own two maps into the views"),
@@ -40,9 +60,7 @@ void Tour::start() {
     return deleteLater();
   }
   if (!window_.files().mayClose()) return deleteLater();
-  window_.session().document().reset(Project{}, {});
-  window_.files().setImage(Side::kBlueprint, *folder + QStringLiteral("/blueprint.yaml"));
-  window_.files().setImage(Side::kSlam, *folder + QStringLiteral("/slam_1.yaml"));
+  window_.session().document().reset(*std::move(project), {});  // no edit: nothing to save, nothing to undo
   connect(&window_.session().document(), &ProjectDocument::changed, this, [this](const ChangeEvent& event) {
     if (event.what & Change::kEverything) return finish();
     refresh();

@@ -16,7 +16,7 @@ class Tour : public QObject {
   Q_OBJECT
 
  public:
-  explicit Tour(MainWindow& window);
+  explicit Tour(MainWindow& window, std::optional<QString> sample = sampleFolder());
 
   /// The folder of the bundled sample, where there is one.
   [[nodiscard]] static std::optional<QString> sampleFolder();
@@ -30,6 +30,7 @@ class Tour : public QObject {
   [[nodiscard]] int stepOf() const;
 
   MainWindow& window_;
+  std::optional<QString> sample_;
   int step_ = -1;
   bool looked_ = false;
 };

@@ -320,7 +320,9 @@ QVariant AnchorTableModel::headerData(int section, Qt::Orientation orientation, 
       case kLeaveOneOut:
         return tr("How far off the alignment would be here without this anchor (from 4 anchors on)");
       case kFlag:
-        return tr("● OK, ◆ have a look, ■ bad, ○ off; the limits are in the settings");
+        return tr(
+            "● OK, ◆ have a look, ■ bad: beyond the limit and worse than the others, ○ off; the limits are in the "
+            "settings");
       default:
         return {};
     }

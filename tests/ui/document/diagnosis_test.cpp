@@ -182,6 +182,46 @@ class DiagnosisTest : public QObject {
     QCOMPARE(find(diagnose(input), Kind::kOutlier)->anchors, std::vector<AnchorId>{6});
   }
 
+  void anchorsThatDoNotPredictEachOtherAreSaidToBeSo() {
+    const AnchorList anchors = building(4, kTurned);
+    Solution solution;
+    for (const Anchor& anchor : anchors) {
+      AnchorFit fit;
+      fit.id = anchor.id;
+      fit.residual_m = 0.005;  // the mesh bends to whatever it is given
+      fit.leave_one_out_m = 1.5 + 0.1 * static_cast<double>(anchor.id);
+      solution.anchors.push_back(fit);
+    }
+    const std::vector<Eigen::Vector2d> nodes{anchors[0].in_blueprint, {500.0, 3.0}};
+    DiagnosisInput input = inputOf(anchors);
+    input.solution = &solution;
+    input.nodes = &nodes;
+    const auto findings = diagnose(input);
+    QVERIFY(find(findings, Kind::kUnpredicted));
+    QCOMPARE(find(findings, Kind::kUnpredicted)->value, 1.75);
+    QCOMPARE(find(findings, Kind::kUnpredicted)->place.value(), nodes[1]);
+    for (AnchorFit& fit : solution.anchors) fit.leave_one_out_m = 0.2;
+    QVERIFY(!find(diagnose(input), Kind::kUnpredicted));
+  }
+
+  void anchorsThatAllHaveOneOppositeFitAfterHalfATurn() {
+    AnchorList corners = building(4, kTurned);
+    const Eigen::Vector2d places[] = {{0.0, 0.0}, {40.0, 0.0}, {40.0, 25.0}, {0.0, 25.0}};
+    for (std::size_t i = 0; i < 4; ++i) {
+      corners[i].in_blueprint = places[i];
+      corners[i].in_slam = kTurned * places[i];
+    }
+    QVERIFY(find(diagnose(inputOf(corners)), Kind::kHalfTurn));
+    for (std::size_t i = 0; i < 4; ++i) corners[i].in_slam = kTurned * places[(i + 2) % 4];
+    QVERIFY2(find(diagnose(inputOf(corners)), Kind::kHalfTurn), "nor the other way round");
+    Anchor inside = corners[0];
+    inside.id = 5;
+    inside.in_blueprint = {9.0, 4.0};
+    inside.in_slam = kTurned * Eigen::Vector2d(31.0, 21.0);
+    corners.push_back(inside);
+    QVERIFY2(!find(diagnose(inputOf(corners)), Kind::kHalfTurn), "that one tells");
+  }
+
   void aPlainSimilarityIsSaidToBeEnough() {
     const AnchorList anchors = building(10, kTurned);
     Solution solution;

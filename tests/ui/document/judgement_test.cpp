@@ -87,6 +87,18 @@ class JudgementTest : public QObject {
     QVERIFY(!summarize({}, {}).rms_residual_m);
   }
 
+  void anchorsThatAreAllFarOffDoNotPredictEachOther() {
+    const auto unpredicted = [](const std::vector<double>& residuals, double m_per_px = 0.05) {
+      const Case of = withResiduals(residuals);  // missed by twice as much without themselves
+      return isUnpredicted(summarize(of.anchors, of.fits), {}, m_per_px);
+    };
+    QVERIFY(unpredicted({1.0, 1.1, 0.9, 1.0}));
+    QVERIFY2(!unpredicted({1.0, 1.0, 1.0, 1.0}, 0.5), "the limit grows with the pixels");
+    QVERIFY(!unpredicted({0.1, 0.1, 0.1, 0.1}));
+    QVERIFY2(!unpredicted({0.05, 0.05, 0.05, 5.0}), "one of them is wrong, not all");
+    QVERIFY2(!unpredicted({1.0, 1.0, 1.0}), "three say nothing of each other");
+  }
+
   void notANumberIsNoNumber() {
     Case of = withResiduals({0.01, 0.01, 0.01, 0.01});
     of.fits[0].residual_m = std::numeric_limits<double>::quiet_NaN();

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/document/project_commands.h"
 #include "ui/document/room_map.h"
+#include "ui/main_window/exports.h"
 #include "ui/panels/anchor_panel.h"
 #include "ui/panels/preview_panel.h"
 #include "ui/support/documents.h"
@@ -84,6 +85,34 @@ class CheckingTest : public QObject {
     QCOMPARE(office.window.anchorPanel().nextByError(std::nullopt, true), std::optional<AnchorId>(5));
     office.window.actionTable()[ActionId::kDisableWorst]->trigger();
     QVERIFY(!office.document().anchor(5)->enabled);
+  }
+
+  void scenario10_cornersHalfATurnWrongAreNotReadyToExport() {
+    OfficeWindow office;
+    // The outer corners of the plan, each with the one of the SLAM map that looks the same and is the opposite one.
+    const AnchorList& known = office.pairs;
+    const auto along = [](const Anchor& anchor, const Eigen::Vector2d& way) { return anchor.in_blueprint.dot(way); };
+    for (const Eigen::Vector2d& way : {Eigen::Vector2d(1, 2), Eigen::Vector2d(1, -2)}) {
+      const auto [first, last] = std::minmax_element(
+          known.begin(), known.end(), [&](const Anchor& a, const Anchor& b) { return along(a, way) < along(b, way); });
+      edit::addAnchor(office.document(), first->in_blueprint, last->in_slam);
+      edit::addAnchor(office.document(), last->in_blueprint, first->in_slam);
+    }
+    QVERIFY(office.waitUntilSolved());
+    QVERIFY(rms(office) < 0.1);  // it looks perfect
+    QVERIFY(office.waitForFinding(Kind::kUnpredicted));
+    const QStringList sentences = office.window.diagnosis().sentences(Severity::kWarning);
+    QVERIFY(!sentences.filter(QStringLiteral("do not predict each other")).isEmpty());
+    for (const QStringList& findings : {QStringList(), sentences}) {
+      const std::vector<ExportCheck> checks = exportChecks(office.session(), findings);
+      QVERIFY(checks.front().verdict == ExportCheck::Verdict::kWarning);
+      QVERIFY(checks.front().sentence.startsWith(QStringLiteral("Without itself, an anchor is typically ")));
+    }
+    edit::deleteAnchors(office.document(), {1, 2, 3, 4});
+    office.addExact(30);
+    QVERIFY(office.waitUntilSolved());
+    QVERIFY(exportChecks(office.session()).front().verdict == ExportCheck::Verdict::kGood);
+    QTRY_VERIFY_WITH_TIMEOUT(!office.finding(Kind::kUnpredicted), test::kPatience);
   }
 
   void scenario11_duplicatesAreNamedWithACure() {
