@@ -12,6 +12,7 @@
 
 #include "app/cli_command.h"
 #include "app/version.h"
+#include "cad2slam/solver/blas_kernels.h"
 
 namespace {
 
@@ -78,6 +79,7 @@ int runCli(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  cad2slam::fitBlasToProcessor();
   try {
     return runCli(argc, argv);
   } catch (const std::bad_alloc&) {

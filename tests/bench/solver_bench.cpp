@@ -4,6 +4,7 @@
 
 #include "bench/corridor_building.h"
 #include "bench/peak_memory.h"
+#include "cad2slam/solver/blas_kernels.h"
 #include "cad2slam/solver/mesh_solver.h"
 
 /// Solves office buildings of 1k to 100k nodes with 50 anchors. Names: model, backend, nodes.
@@ -70,4 +71,11 @@ BENCHMARK_CAPTURE(coldSolve, stretch_ceres, Model::kStretch, SolverBackend::kCer
 }  // namespace
 }  // namespace cad2slam::bench
 
-BENCHMARK_MAIN();
+int main(int argc, char** argv) {
+  cad2slam::fitBlasToProcessor();
+  benchmark::Initialize(&argc, argv);
+  if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 1;
+  benchmark::RunSpecifiedBenchmarks();
+  benchmark::Shutdown();
+  return 0;
+}

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/main_window/process_setup.h"
 
+#include "cad2slam/solver/blas_kernels.h"
 #include "ui/views/background_thread.h"
 #include "ui/views/lane.h"
 
@@ -38,6 +39,7 @@ void startThreads() {
 }  // namespace
 
 void setUpProcess() {
+  fitBlasToProcessor();  // before there are threads
   comeBeforeBackground();
   keepFreedMemory();
   startThreads();

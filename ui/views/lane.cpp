@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/views/lane.h"
 
+#include "cad2slam/core/vector_registers.h"
 #include "ui/views/background_thread.h"
 
 #include <QThreadPool>
@@ -55,6 +56,7 @@ void Lane::start(std::function<void()> task) {
 
 void Lane::work(const std::shared_ptr<State>& state) {
   giveWayToWindow();
+  clearUpperVectorHalves();  // as whoever started the thread left them
   std::unique_lock lock(state->mutex);
   while (!state->tasks.empty()) {
     std::function<void()> task = std::move(state->tasks.front());

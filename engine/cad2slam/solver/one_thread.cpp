@@ -2,20 +2,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cad2slam/solver/one_thread.h"
 
-#include <dlfcn.h>
+#include "cad2slam/core/vector_registers.h"
+#include "cad2slam/solver/loaded_function.h"
 
 namespace cad2slam {
-namespace {
-
-/// Looked up at run time: which BLAS there is, and whether CHOLMOD was built with OpenMP, is the system's choice.
-template <class Function>
-Function* loadedFunction(const char* name) {
-  return reinterpret_cast<Function*>(dlsym(RTLD_DEFAULT, name));
-}
-
-}  // namespace
 
 OneThread::OneThread() {
+  clearUpperVectorHalves();
   // OpenBLAS counts threads for the whole process, so this is not taken back.
   static const bool is_set = [] {
     if (auto* set_threads = loadedFunction<void(int)>("openblas_set_num_threads")) set_threads(1);
