@@ -123,17 +123,24 @@ Eigen::VectorXd startingPoint(const Objective& objective, const Mesh& mesh, cons
   const bool warm =
       warm_start != nullptr && warm_start->node_slam.size() == mesh.nodeCount() &&
       warm_start->settings.model == (objective.unknowns == kStretchUnknowns ? Model::kStretch : Model::kRigid);
+  // What was mixed in lies beside the minimum: from there it would be a longer way to the next one.
+  const bool is_mixed = warm && warm_start->minimum;
   Eigen::VectorXd x(static_cast<Eigen::Index>(objective.size()));
   for (std::size_t k = 0; k < objective.nodeCount(); ++k) {
     const NodeIndex node = objective.active_nodes[k];
     double* unknowns = x.data() + k * static_cast<std::size_t>(objective.unknowns);
-    const Pose2 pose = warm ? warm_start->node_slam[node] : global_fit * Pose2{mesh.centers()[node], 0.0};
+    const Pose2 pose = is_mixed ? warm_start->minimum->slam[node]
+                       : warm   ? warm_start->node_slam[node]
+                                : global_fit * Pose2{mesh.centers()[node], 0.0};
     unknowns[0] = pose.translation.x();
     unknowns[1] = pose.translation.y();
     unknowns[2] = pose.heading;
     if (objective.unknowns != kStretchUnknowns) continue;
-    unknowns[3] = warm ? warm_start->node_stretch[node].x() : 0.0;
-    unknowns[4] = warm ? warm_start->node_stretch[node].y() : 0.0;
+    const Eigen::Vector2d stretch = is_mixed ? warm_start->minimum->stretch[node]
+                                    : warm   ? warm_start->node_stretch[node]
+                                             : Eigen::Vector2d::Zero();
+    unknowns[3] = stretch.x();
+    unknowns[4] = stretch.y();
   }
   return x;
 }

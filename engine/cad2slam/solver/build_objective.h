@@ -25,7 +25,7 @@ inline constexpr std::uint32_t kInactive = 0xffffffffU;
 [[nodiscard]] AnchorTerm makeAnchorTerm(const Mesh& mesh, const NodeBlend& blend, const Eigen::Vector2d& in_blueprint,
                                         const Eigen::Vector2d& in_slam, double scale);
 
-/// Unknowns of the active nodes at the global fit, or at `warm_start` where it is given.
+/// Unknowns of the active nodes at the global fit, or at the minimum of `warm_start` where it is given.
 [[nodiscard]] Eigen::VectorXd startingPoint(const Objective& objective, const Mesh& mesh, const Similarity2& global_fit,
                                             const Solution* warm_start);
 

@@ -110,7 +110,7 @@ class MeshSolver::Impl {
   Result<Solution> solveWithChosenStiffness(const AnchorList& anchors, const SolverSettings& settings,
                                             const Similarity2& global_fit, const Solution* warm_start,
                                             const IterationCallback& on_iteration);
-  void mixInPlate(const AnchorList& anchors, ThinPlateFit plate, Solution& solution);
+  void mixInPlate(const AnchorList& anchors, ThinPlateFit plate, PlateAtNodes at_nodes, Solution& solution);
   void mixInGlobalFit(const AnchorList& anchors, Solution& solution) const;
   void updateFits(const AnchorList& anchors, double share, const std::vector<Vector2d>& leave_one_out,
                   Solution& solution) const;
@@ -122,6 +122,7 @@ class MeshSolver::Impl {
   [[nodiscard]] Vector2d predictedByFewOthers(const AnchorList& anchors, std::size_t left_out) const;
   [[nodiscard]] bool isActive(const Vector2d& in_blueprint) const;
   void addComponentWarning(Solution& solution) const;
+  [[nodiscard]] tl::unexpected<Error> tooLarge() const;
 
   std::shared_ptr<const Mesh> mesh_;
   SolverBackend backend_;
@@ -187,11 +188,7 @@ Result<Solution> MeshSolver::Impl::solveMesh(const AnchorList& anchors, const So
   global_fit_ = global_fit;
   objective_ = buildObjective(*mesh_, anchors, solution.settings, global_fit);
   active_number_ = activeNumbers(objective_, mesh_->nodeCount());
-  if (!normal_.analyse(objective_)) {
-    return fail(ErrorCode::kInternal,
-                "the mesh of " + std::to_string(mesh_->nodeCount()) +
-                    " nodes is too large for the memory of this computer; choose a larger cell size");
-  }
+  if (!normal_.analyse(objective_)) return tooLarge();
   // A solve from nothing depends on nothing that was solved before: rigid meshes have more than one minimum.
   if (warm_start == nullptr) normal_.forgetFactor();
   solution.seconds.ordering = stopwatch.lap();
@@ -210,6 +207,7 @@ Result<Solution> MeshSolver::Impl::solveMesh(const AnchorList& anchors, const So
   const MinimiserReport report = minimiseFrom(x_, options, on_iteration);
   if (report.cancelled) return fail(ErrorCode::kCancelled, "the optimisation was cancelled");
   if (!report.finite || !x_.allFinite()) {
+    if (normal_.isOutOfMemory()) return tooLarge();
     return fail(ErrorCode::kNotConverged,
                 "the optimisation found no finite minimum; check the anchors and the weights");
   }
@@ -226,6 +224,7 @@ Result<Solution> MeshSolver::Impl::solveMesh(const AnchorList& anchors, const So
 
   // Leave-one-out and sigma want the factor at the minimum itself.
   if (!normal_.factorise(objective_, x_.data(), 0.0)) {
+    if (normal_.isOutOfMemory()) return tooLarge();
     return fail(ErrorCode::kNotConverged, "the anchors do not determine the mesh; add anchors or enable some");
   }
   diagnoseAnchors(anchors, solution);
@@ -247,11 +246,16 @@ Result<Solution> MeshSolver::Impl::solveWithChosenStiffness(const AnchorList& an
   struct Aside {  // what does not need the solved mesh
     Stiffness stiffness;
     Result<ThinPlateFit> plate;
+    PlateAtNodes plate_at_nodes;  // empty where it was not in the last answer either
   };
   const auto workAside = [&] {
     const OneThread one_thread;
     const Stiffness stiffness = scout_->choose(anchors, settings);
-    return Aside{stiffness, ThinPlateFit::create(enabledPairs(anchors), settings.loss_width_m)};
+    Aside aside{stiffness, ThinPlateFit::create(enabledPairs(anchors), settings.loss_width_m), {}};
+    if (aside.plate && warm_start != nullptr && warm_start->plate_share > 0.0) {
+      aside.plate_at_nodes = atNodes(*aside.plate, *mesh_);
+    }
+    return aside;
   };
   std::future<Aside> working;
   if (warm_start != nullptr && last_choice_) working = onSecondThread(workAside);
@@ -264,7 +268,7 @@ Result<Solution> MeshSolver::Impl::solveWithChosenStiffness(const AnchorList& an
   if (!solution) return solution;
 
   Stopwatch stopwatch;
-  if (aside.plate) mixInPlate(anchors, std::move(*aside.plate), *solution);
+  if (aside.plate) mixInPlate(anchors, std::move(*aside.plate), std::move(aside.plate_at_nodes), *solution);
   mixInGlobalFit(anchors, *solution);
   solution->seconds.diagnosis += stopwatch.lap();
   return solution;
@@ -272,9 +276,12 @@ Result<Solution> MeshSolver::Impl::solveWithChosenStiffness(const AnchorList& an
 
 /// Moves every node that an anchor holds part of the way to a thin plate, unless that brings nothing or it folds. What
 /// is left of the plate's shear between nodes cancels in the projector's blend, which is exact for affine maps.
-void MeshSolver::Impl::mixInPlate(const AnchorList& anchors, ThinPlateFit plate, Solution& solution) {
+void MeshSolver::Impl::mixInPlate(const AnchorList& anchors, ThinPlateFit plate, PlateAtNodes at_nodes,
+                                  Solution& solution) {
   const double share = plateShare(anchors, solution, plate);
-  if (share == 0.0 || !mixIn(plate, share, *mesh_, objective_.active_nodes, solution)) return;
+  if (share == 0.0) return;
+  if (at_nodes.empty()) at_nodes = atNodes(plate, *mesh_);
+  if (!mixIn(at_nodes, share, objective_.active_nodes, solution)) return;
   updateFits(anchors, share, plate.leaveOneOut(), solution);
   std::size_t used = 0;
   for (AnchorFit& fit : solution.anchors) {
@@ -414,6 +421,12 @@ void MeshSolver::Impl::diagnoseAnchors(const AnchorList& anchors, Solution& solu
     solution.anchors.push_back(fit);
   }
   variance_factor_ = whitened / (2.0 * static_cast<double>(std::max<std::size_t>(1, determined)));
+}
+
+tl::unexpected<Error> MeshSolver::Impl::tooLarge() const {
+  return fail(ErrorCode::kInternal,
+              "the mesh of " + std::to_string(mesh_->nodeCount()) +
+                  " nodes is too large for the memory of this computer; choose a larger cell size");
 }
 
 void MeshSolver::Impl::addComponentWarning(Solution& solution) const {

@@ -66,21 +66,27 @@ double plateShare(const AnchorList& anchors, const Solution& solution, const Thi
   return static_cast<double>(std::min(kMost, std::max(smallest, preferred))) / kSteps;
 }
 
-bool mixIn(const ThinPlateFit& plate, double share, const Mesh& mesh, const std::vector<NodeIndex>& nodes,
-           Solution& solution) {
+PlateAtNodes atNodes(const ThinPlateFit& plate, const Mesh& mesh) {
+  PlateAtNodes at;
+  at.reserve(mesh.nodeCount());
+  for (const Vector2d& center : mesh.centers()) at.push_back(plate.at(center));
+  return at;
+}
+
+bool mixIn(const PlateAtNodes& plate, double share, const std::vector<NodeIndex>& nodes, Solution& solution) {
   std::vector<Pose2> node_slam = solution.node_slam;
   std::vector<Vector2d> node_stretch = solution.node_stretch;
   for (const NodeIndex node : nodes) {
-    const Vector2d& center = mesh.centers()[node];
-    const auto [place, jacobian] = plate.at(center);
+    const auto& [place, jacobian] = plate[node];
     const Matrix2d linear = jacobian / solution.global_fit.scale;
     const double heading = std::atan2(linear(1, 0) - linear(0, 1), linear(0, 0) + linear(1, 1));
     const Vector2d factors = (rotationMatrix(-heading) * linear).diagonal();
     if (!(linear.determinant() > 0.0) || !(factors.minCoeff() > kSmallestFactor)) return false;
     moveTowards({place, heading}, factors.array().log(), share, node_slam[node], node_stretch[node]);
   }
-  solution.node_slam = std::move(node_slam);
-  solution.node_stretch = std::move(node_stretch);
+  std::swap(solution.node_slam, node_slam);
+  std::swap(solution.node_stretch, node_stretch);
+  if (!solution.minimum) solution.minimum = {std::move(node_slam), std::move(node_stretch)};
   solution.plate_share = share;
   return true;
 }
@@ -124,6 +130,7 @@ double similarityShare(const Solution& solution, const Residuals& leave_one_out)
 }
 
 void mixInSimilarity(double share, const Mesh& mesh, const std::vector<NodeIndex>& nodes, Solution& solution) {
+  if (!solution.minimum) solution.minimum = {solution.node_slam, solution.node_stretch};
   for (const NodeIndex node : nodes) {
     moveTowards(solution.global_fit * Pose2{mesh.centers()[node], 0.0}, Vector2d::Zero(), share,
                 solution.node_slam[node], solution.node_stretch[node]);

@@ -23,9 +23,13 @@ namespace cad2slam {
 /// and never more than seven tenths.
 [[nodiscard]] double plateShare(const AnchorList& anchors, const Solution& mesh, const ThinPlateFit& plate);
 
+/// The plate at the centre of each node of a mesh.
+using PlateAtNodes = std::vector<ThinPlateFit::Linearisation>;
+[[nodiscard]] PlateAtNodes atNodes(const ThinPlateFit& plate, const Mesh& mesh);
+
 /// Moves place, heading and stretch of `nodes` `share` (0 to 1) of the way to those of the plate at their centres.
 /// False, with nothing changed, where the plate folds or nearly does.
-[[nodiscard]] bool mixIn(const ThinPlateFit& plate, double share, const Mesh& mesh, const std::vector<NodeIndex>& nodes,
+[[nodiscard]] bool mixIn(const PlateAtNodes& plate, double share, const std::vector<NodeIndex>& nodes,
                          Solution& solution);
 
 /// For each enabled anchor where the global fit of all others puts it, relative to where it was clicked [m].

@@ -110,17 +110,17 @@ NormalLayout::~NormalLayout() {
   cholmod_free_factor(&factor, session_.get());
 }
 
-std::shared_ptr<NormalLayout> NormalLayout::create(Couplings couplings, int unknowns, CholmodSession& session) {
-  std::shared_ptr<NormalLayout> layout(new NormalLayout(std::move(couplings), unknowns, session));
+std::shared_ptr<NormalLayout> NormalLayout::create(Couplings couplings, int unknowns) {
+  std::shared_ptr<NormalLayout> layout(new NormalLayout(std::move(couplings), unknowns));
   layout->places = fillReducingPlaces(layout->couplings_);
   if (layout->places.empty()) return nullptr;
   layout->later = renumbered(layout->couplings_, layout->places);
-  layout->matrix = lowerTriangle(layout->later, static_cast<std::size_t>(unknowns), CHOLMOD_REAL, session.get());
+  layout->matrix = lowerTriangle(layout->later, static_cast<std::size_t>(unknowns), CHOLMOD_REAL, layout->session());
   if (layout->matrix == nullptr) return nullptr;
-  layout->factor = cholmod_analyze(layout->matrix, session.get());
+  layout->factor = cholmod_analyze(layout->matrix, layout->session());
   const cholmod_factor* factor = layout->factor;
   if (factor == nullptr || factor->is_super == 0) return nullptr;
-  layout->operations = session.get()->fl;
+  layout->operations = layout->session()->fl;
 
   layout->column_supernode_.resize(factor->n);
   const auto* first_columns = static_cast<const int*>(factor->super);

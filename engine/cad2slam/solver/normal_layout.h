@@ -34,7 +34,7 @@ using Couplings = std::vector<std::vector<std::uint32_t>>;
 class NormalLayout {
  public:
   /// Null: out of memory.
-  static std::shared_ptr<NormalLayout> create(Couplings couplings, int unknowns, CholmodSession& session);
+  static std::shared_ptr<NormalLayout> create(Couplings couplings, int unknowns);
   ~NormalLayout();
   NormalLayout(const NormalLayout&) = delete;
   NormalLayout& operator=(const NormalLayout&) = delete;
@@ -42,6 +42,8 @@ class NormalLayout {
   [[nodiscard]] bool isFor(const Couplings& couplings, int unknowns_of_node) const {
     return unknowns_of_node == unknowns && couplings == couplings_;
   }
+  /// Of a thread that works with the layout; another one may make the next layout meanwhile.
+  [[nodiscard]] cholmod_common* session() const { return session_.get(); }
   [[nodiscard]] std::size_t placeOf(std::size_t unknown) const {
     const auto b = static_cast<std::size_t>(unknowns);
     return places[unknown / b] * b + unknown % b;
@@ -56,11 +58,11 @@ class NormalLayout {
   cholmod_factor* factor = nullptr;
 
  private:
-  NormalLayout(Couplings couplings, int unknowns_of_node, CholmodSession& session)
-      : unknowns(unknowns_of_node), couplings_(std::move(couplings)), session_(session) {}
+  NormalLayout(Couplings couplings, int unknowns_of_node)
+      : unknowns(unknowns_of_node), couplings_(std::move(couplings)) {}
 
   Couplings couplings_;  // between nodes
-  CholmodSession& session_;
+  mutable CholmodSession session_;
   std::vector<int> column_supernode_;
 };
 

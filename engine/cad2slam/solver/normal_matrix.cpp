@@ -7,10 +7,11 @@
 #include "cad2slam/solver/second_thread.h"
 
 #include <cholmod.h>
-#include <Eigen/LU>
+#include <Eigen/Eigenvalues>
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <future>
 #include <memory>
 #include <utility>
@@ -22,8 +23,10 @@ using Vector5d = Eigen::Matrix<double, 5, 1>;
 using Matrix5d = Eigen::Matrix<double, 5, 5>;
 using Matrix25d = Eigen::Matrix<double, 2, 5>;
 
-constexpr std::size_t kMostAddedAnchors = 2;  // to a factor; each takes about a step of the minimiser
-constexpr int kFormColumns = 16;              // right-hand sides that share one walk through the factor
+constexpr std::size_t kMostChangedAnchors = 4;  // since a factor; each takes about a step of the minimiser
+constexpr double kLeastHeld = 1e-4;             // of a place by all but the anchor that a factor gives up
+constexpr std::size_t kManyNodes = 1500;        // worth a thread for their layout
+constexpr int kFormColumns = 16;                // right-hand sides that share one walk through the factor
 using FormRows = Eigen::Matrix<double, Eigen::Dynamic, kFormColumns, Eigen::RowMajor>;
 
 double weightOf(const Objective& objective, const AnchorTerm& anchor, const double* x) {
@@ -50,13 +53,19 @@ class NormalMatrix::Impl {
   bool adaptFactor(const Objective& objective, const double* x);
   bool solve(const Eigen::VectorXd& right, Eigen::VectorXd& solution);
   [[nodiscard]] std::vector<Eigen::Matrix4d> inverseForms(const std::vector<SparseColumns>& forms) const;
-  [[nodiscard]] double operations() const { return layout_ ? layout_->operations : 0.0; }
+  [[nodiscard]] double operations() { return takeLayout() ? layout_->operations : 0.0; }
+  [[nodiscard]] bool isOutOfMemory() { return !takeLayout(); }
   void forgetFactor() { factorised_.reset(); }
   [[nodiscard]] bool hasFactorFor(const Objective& objective) const {
     return factorised_ && factorised_->unknowns == objective.unknowns && nodes_ == objective.active_nodes;
   }
 
  private:
+  struct FactorisedAnchor {
+    NodeBlend blend;
+    double weight = 0.0;
+    std::array<Matrix25d, NodeBlend::kCapacity> derivatives;
+  };
   struct FormWorkspace {
     FormRows rows;
     std::vector<bool> on_path;
@@ -67,6 +76,8 @@ class NormalMatrix::Impl {
     int columns = 0;
   };
   using Columns = Eigen::Ref<const Eigen::MatrixXd>;
+  [[nodiscard]] bool takeLayout();
+  [[nodiscard]] static FactorisedAnchor atPoint(const Objective& objective, const AnchorTerm& anchor, const double* x);
   bool solveWithFactor(const Columns& right, Eigen::Ref<Eigen::MatrixXd> solution);
   [[nodiscard]] std::vector<int> pathsOf(const FormBatch& batch, std::vector<bool>& on_path) const;
   void solveBatch(const FormBatch& batch, FormWorkspace& workspace) const;
@@ -75,33 +86,55 @@ class NormalMatrix::Impl {
   template <int kUnknowns>
   void addBlock(std::uint32_t row_node, std::uint32_t column_node, const Matrix5d& block);
 
-  CholmodSession session_;
-  std::shared_ptr<NormalLayout> layout_;      // as last analysed
+  std::future<std::shared_ptr<NormalLayout>> coming_layout_;
+  std::shared_ptr<NormalLayout> layout_;      // as last analysed, unless one is coming
   std::shared_ptr<NormalLayout> factorised_;  // of the last factor, which may be of before the last edit
   std::vector<NodeIndex> nodes_;              // of the mesh that are factorised
-  std::vector<NodeBlend> blends_;             // of the anchors that are factorised
-  // Of anchors added to the factor, with their Jacobian J and weights W: N^-1 J^T and (W^-1 + J N^-1 J^T)^-1.
-  Eigen::MatrixXd added_;
-  Eigen::MatrixXd added_core_;
+  std::vector<FactorisedAnchor> anchors_;     // in the factor
+  // Of anchors that are new since the factor or gone, see adaptFactor(): N^-1 J^T and (S^-1 + J N^-1 J^T)^-1.
+  Eigen::MatrixXd changed_;
+  Eigen::MatrixXd changed_core_;
   mutable std::array<FormWorkspace, 2> form_workspaces_;  // one for each thread
   Eigen::MatrixXd in_places_;                             // right-hand sides in the order of the matrix
   cholmod_dense* solution_ = nullptr;                     // workspaces that cholmod_solve2 reuses
   cholmod_dense* work_y_ = nullptr;
   cholmod_dense* work_e_ = nullptr;
+  CholmodSession solving_;
 };
 
 NormalMatrix::Impl::~Impl() {
-  cholmod_common* common = session_.get();
+  cholmod_common* common = solving_.get();
   cholmod_free_dense(&solution_, common);
   cholmod_free_dense(&work_y_, common);
   cholmod_free_dense(&work_e_, common);
 }
 
 bool NormalMatrix::Impl::analyse(const Objective& objective) {
+  static_cast<void>(takeLayout());  // of a solve that was over before it needed one
   Couplings couplings = couplingsOf(objective);
   if (layout_ && layout_->isFor(couplings, objective.unknowns)) return true;
-  layout_ = NormalLayout::create(std::move(couplings), objective.unknowns, session_);
+  layout_.reset();
+  // The factor of before often serves for all steps of a solve: what comes after it is laid out meanwhile.
+  if (hasFactorFor(objective) && objective.nodeCount() >= kManyNodes) {
+    coming_layout_ = onSecondThread([couplings, unknowns = objective.unknowns]() mutable {
+      return NormalLayout::create(std::move(couplings), unknowns);
+    });
+  }
+  if (!coming_layout_.valid()) layout_ = NormalLayout::create(std::move(couplings), objective.unknowns);
+  return coming_layout_.valid() || layout_ != nullptr;
+}
+
+/// False: there was no memory for it.
+bool NormalMatrix::Impl::takeLayout() {
+  if (coming_layout_.valid()) layout_ = coming_layout_.get();
   return layout_ != nullptr;
+}
+
+NormalMatrix::Impl::FactorisedAnchor NormalMatrix::Impl::atPoint(const Objective& objective, const AnchorTerm& anchor,
+                                                                 const double* x) {
+  FactorisedAnchor at{anchor.blend, weightOf(objective, anchor, x), {}};
+  for (std::size_t k = 0; k < anchor.blend.count; ++k) at.derivatives[k] = derivativeOf(objective, anchor, k, x);
+  return at;
 }
 
 /// Adds to the block of these rows and columns, or to its transpose: whichever lies in the lower triangle.
@@ -154,14 +187,13 @@ void NormalMatrix::Impl::assemble(const Objective& objective, const double* x) {
     prior(2, 2) = objective.heading_prior.empty() ? 0.0 : objective.heading_prior[node] * objective.heading_prior[node];
     addBlock<kUnknowns>(node, node, prior);
   }
+  anchors_.clear();
   for (const AnchorTerm& anchor : objective.anchors) {
-    const double weight = weightOf(objective, anchor, x);
-    std::array<Matrix25d, NodeBlend::kCapacity> derivatives;
-    for (std::size_t k = 0; k < anchor.blend.count; ++k) derivatives[k] = derivativeOf(objective, anchor, k, x);
-    for (std::size_t i = 0; i < anchor.blend.count; ++i) {
+    const FactorisedAnchor& at = anchors_.emplace_back(atPoint(objective, anchor, x));
+    for (std::size_t i = 0; i < at.blend.count; ++i) {
       for (std::size_t j = 0; j <= i; ++j) {
-        addBlock<kUnknowns>(anchor.blend.nodes[i], anchor.blend.nodes[j],
-                            weight * derivatives[i].transpose() * derivatives[j]);
+        addBlock<kUnknowns>(at.blend.nodes[i], at.blend.nodes[j],
+                            at.weight * at.derivatives[i].transpose() * at.derivatives[j]);
       }
     }
   }
@@ -169,6 +201,8 @@ void NormalMatrix::Impl::assemble(const Objective& objective, const double* x) {
 
 bool NormalMatrix::Impl::factorise(const Objective& objective, const double* x, double damping) {
   factorised_.reset();
+  changed_.resize(0, 0);
+  if (!takeLayout()) return false;
   if (objective.unknowns == kRigidUnknowns) {
     assemble<kRigidUnknowns>(objective, x);
   } else {
@@ -179,15 +213,12 @@ bool NormalMatrix::Impl::factorise(const Objective& objective, const double* x, 
     const auto* starts = static_cast<const int*>(layout_->matrix->p);
     for (std::size_t column = 0; column < layout_->matrix->ncol; ++column) values[starts[column]] *= 1.0 + damping;
   }
-  cholmod_common* common = session_.get();
+  cholmod_common* common = layout_->session();
   cholmod_factor* factor = layout_->factor;
   if (cholmod_factorize(layout_->matrix, factor, common) == 0 || common->status != CHOLMOD_OK) return false;
   if (factor->minor != factor->n) return false;
   factorised_ = layout_;
   nodes_ = objective.active_nodes;
-  blends_.clear();
-  for (const AnchorTerm& anchor : objective.anchors) blends_.push_back(anchor.blend);
-  added_.resize(0, 0);
   return true;
 }
 
@@ -209,7 +240,7 @@ bool NormalMatrix::Impl::solveWithFactor(const Columns& right, Eigen::Ref<Eigen:
   view.xtype = CHOLMOD_REAL;
   view.dtype = CHOLMOD_DOUBLE;
   if (cholmod_solve2(CHOLMOD_A, factorised_->factor, &view, nullptr, &solution_, nullptr, &work_y_, &work_e_,
-                     session_.get()) == 0) {
+                     solving_.get()) == 0) {
     return false;
   }
   const Eigen::Map<const Eigen::MatrixXd> solved(static_cast<const double*>(solution_->x), right.rows(), right.cols());
@@ -220,43 +251,63 @@ bool NormalMatrix::Impl::solveWithFactor(const Columns& right, Eigen::Ref<Eigen:
   return solution.allFinite();
 }
 
-/// By the identity of Woodbury: (N + J^T W J)^-1 = N^-1 - N^-1 J^T (W^-1 + J N^-1 J^T)^-1 J N^-1.
+/// By the identity of Woodbury: (N + J^T S J)^-1 = N^-1 - N^-1 J^T (S^-1 + J N^-1 J^T)^-1 J N^-1, where S holds the
+/// weights W of new anchors and -W of those that are gone. With D = sign(S) + W^1/2 J N^-1 J^T W^1/2 the inverse in the
+/// middle is W^1/2 D^-1 W^1/2, also for weights of zero. What is left without the anchors that are gone is positive
+/// definite just where D has one negative eigenvalue for each of their rows.
 bool NormalMatrix::Impl::adaptFactor(const Objective& objective, const double* x) {
   if (!hasFactorFor(objective)) return false;
-  added_.resize(0, 0);
-  std::vector<const AnchorTerm*> added;
+  changed_.resize(0, 0);
+  std::vector<FactorisedAnchor> changed;
+  std::vector<bool> stays(anchors_.size(), false);
   for (const AnchorTerm& anchor : objective.anchors) {
-    const auto is_same = [&](const NodeBlend& blend) { return isSameBlend(blend, anchor.blend); };
-    if (std::none_of(blends_.begin(), blends_.end(), is_same)) added.push_back(&anchor);
-  }
-  if (added.empty()) return true;
-  if (added.size() > kMostAddedAnchors) return false;
-  const auto columns = static_cast<Eigen::Index>(2 * added.size());
-  Eigen::MatrixXd jacobian = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(objective.size()), columns);
-  Eigen::VectorXd weights(columns);
-  for (std::size_t a = 0; a < added.size(); ++a) {
-    const AnchorTerm& anchor = *added[a];
-    const auto first = static_cast<Eigen::Index>(2 * a);
-    for (std::size_t k = 0; k < anchor.blend.count; ++k) {
-      jacobian.block(anchor.blend.nodes[k] * objective.unknowns, first, objective.unknowns, 2) =
-          derivativeOf(objective, anchor, k, x).leftCols(objective.unknowns).transpose();
+    std::size_t same = 0;
+    while (same < anchors_.size() && (stays[same] || !isSameBlend(anchors_[same].blend, anchor.blend))) ++same;
+    if (same < anchors_.size()) {
+      stays[same] = true;
+    } else if (changed.size() < kMostChangedAnchors) {
+      changed.push_back(atPoint(objective, anchor, x));
+    } else {
+      return false;
     }
-    weights.segment<2>(first).setConstant(weightOf(objective, anchor, x));
   }
-  Eigen::MatrixXd solved(jacobian.rows(), columns);
+  const auto added_rows = static_cast<Eigen::Index>(2 * changed.size());
+  for (std::size_t i = 0; i < anchors_.size(); ++i) {
+    if (!stays[i]) changed.push_back(anchors_[i]);
+  }
+  if (changed.empty()) return true;
+  if (changed.size() > kMostChangedAnchors) return false;
+
+  const auto rows = static_cast<Eigen::Index>(2 * changed.size());
+  Eigen::MatrixXd jacobian = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(objective.size()), rows);
+  Eigen::VectorXd root_weights(rows);
+  for (std::size_t c = 0; c < changed.size(); ++c) {
+    const auto first = static_cast<Eigen::Index>(2 * c);
+    for (std::size_t k = 0; k < changed[c].blend.count; ++k) {
+      jacobian.block(changed[c].blend.nodes[k] * objective.unknowns, first, objective.unknowns, 2) =
+          changed[c].derivatives[k].leftCols(objective.unknowns).transpose();
+    }
+    root_weights.segment<2>(first).setConstant(std::sqrt(changed[c].weight));
+  }
+  Eigen::MatrixXd solved(jacobian.rows(), rows);
   if (!solveWithFactor(jacobian, solved)) return false;
-  Eigen::MatrixXd core = jacobian.transpose() * solved;
-  core.diagonal() += weights.cwiseInverse();
-  added_core_ = core.inverse();
-  if (!added_core_.allFinite()) return false;
-  added_ = std::move(solved);
+  Eigen::MatrixXd middle = root_weights.asDiagonal() * (jacobian.transpose() * solved) * root_weights.asDiagonal();
+  middle.diagonal().head(added_rows).array() += 1.0;
+  middle.diagonal().tail(rows - added_rows).array() -= 1.0;
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> modes(middle);
+  if (!modes.eigenvalues().allFinite()) return false;
+  if ((modes.eigenvalues().array() < -kLeastHeld).count() != rows - added_rows) return false;
+  changed_core_ = root_weights.asDiagonal() * modes.eigenvectors() * modes.eigenvalues().cwiseInverse().asDiagonal() *
+                  modes.eigenvectors().transpose() * root_weights.asDiagonal();
+  if (!changed_core_.allFinite()) return false;
+  changed_ = std::move(solved);
   return true;
 }
 
 bool NormalMatrix::Impl::solve(const Eigen::VectorXd& right, Eigen::VectorXd& solution) {
   solution.resize(right.size());
   if (!solveWithFactor(right, solution)) return false;
-  if (added_.cols() > 0) solution -= added_ * (added_core_ * (added_.transpose() * right));
+  if (changed_.cols() > 0) solution -= changed_ * (changed_core_ * (changed_.transpose() * right));
   return true;
 }
 
@@ -373,6 +424,9 @@ bool NormalMatrix::analyse(const Objective& objective) {
 }
 double NormalMatrix::operations() const {
   return impl_->operations();
+}
+bool NormalMatrix::isOutOfMemory() const {
+  return impl_->isOutOfMemory();
 }
 bool NormalMatrix::factorise(const Objective& objective, const double* x, double damping) {
   return impl_->factorise(objective, x, damping);

@@ -20,8 +20,12 @@ class NormalMatrix {
   NormalMatrix(NormalMatrix&&) noexcept;
   NormalMatrix& operator=(NormalMatrix&&) noexcept;
 
-  /// Prepares for the couplings of `objective`: orders its nodes so that L stays sparse. False: out of memory.
+  /// Prepares for the couplings of `objective`: orders its nodes so that L stays sparse. Where the last factor may
+  /// serve for `objective` too, another thread does that while it does. False: out of memory.
   [[nodiscard]] bool analyse(const Objective& objective);
+
+  /// Whether that other thread found no memory; waits for it. No factorise() succeeds then.
+  [[nodiscard]] bool isOutOfMemory() const;
 
   /// Floating-point operations of one factorisation, as analysed.
   [[nodiscard]] double operations() const;
@@ -34,8 +38,8 @@ class NormalMatrix {
   /// There is a factor of the nodes of `objective`.
   [[nodiscard]] bool hasFactorFor(const Objective& objective) const;
 
-  /// Makes the last factor one for `objective` at `x`, roughly, where it has the same nodes and up to two anchors more:
-  /// a minimiser starts with it in a third of the time of a factorisation. False: factorise.
+  /// Makes the last factor one for `objective` at `x`, roughly, where it has the same nodes, and up to four anchors are
+  /// new since then or gone: a minimiser starts with it in a third of the time of a factorisation. False: factorise.
   [[nodiscard]] bool adaptFactor(const Objective& objective, const double* x);
 
   /// Solves with the last factor.

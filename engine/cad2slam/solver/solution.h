@@ -33,15 +33,22 @@ struct SolveSeconds {
   double diagnosis = 0.0;  ///< leave-one-out residuals
 };
 
+/// Poses and log-stretches of all nodes, as in a Solution.
+struct NodeStates {
+  std::vector<Pose2> slam;
+  std::vector<Eigen::Vector2d> stretch;
+};
+
 /// A solved mesh. A value: shares nothing with the solver that made it.
 struct Solution {
   SolverSettings settings;       ///< as used, with every automatic weight filled in
   Similarity2 global_fit;        ///< slam_from_blueprint of the start; its scale is the scale of the rest lengths
   std::vector<Pose2> node_slam;  ///< slam_from_node
   std::vector<Eigen::Vector2d> node_stretch;  ///< log-stretch along the node's x and y; zero in the rigid model
-  double plate_share = 0.0;                   ///< part of a thin plate that was mixed into the minimum of the objective
-  double similarity_share = 0.0;   ///< part of the global fit that was then mixed in: near 1 where nothing bends
-  std::vector<AnchorFit> anchors;  ///< one for each given anchor, in the given order
+  std::optional<NodeStates> minimum;  ///< of the objective, where something was mixed in: where a next solve starts
+  double plate_share = 0.0;           ///< part of a thin plate that was mixed into the minimum of the objective
+  double similarity_share = 0.0;      ///< part of the global fit that was then mixed in: near 1 where nothing bends
+  std::vector<AnchorFit> anchors;     ///< one for each given anchor, in the given order
   std::size_t anchors_used = 0;
   double cost = 0.0;               ///< half the sum of squares, as Ceres counts
   double initial_cost = 0.0;       ///< at the global fit

@@ -119,6 +119,11 @@ void BuildObjectiveTest::startIsTheGlobalFitOrTheLastSolution() {
     stored << 1.0, 2.0, 3.0, 0.1, -0.2;
     QVERIFY(warm.segment(at, 5) == stored);
   }
+  // Where something was mixed in, the minimum beside it is the start.
+  last.minimum = NodeStates{last.node_slam, last.node_stretch};
+  last.node_slam.assign(mesh->nodeCount(), {});
+  last.node_stretch.assign(mesh->nodeCount(), {0.0, 0.0});
+  QVERIFY(startingPoint(objective, *mesh, fit, &last) == warm);
   // A solution of another model or mesh is no start.
   last.settings.model = Model::kRigid;
   QVERIFY(startingPoint(objective, *mesh, fit, &last) == cold);

@@ -76,7 +76,7 @@ void MixingTest::blendedIsTheProjector() {
 void MixingTest::nothingOfThePlateChangesNothing() {
   const Fitted fitted;
   Solution mixed = fitted.solution;
-  QVERIFY(mixIn(fitted.plate(bent), 0.0, *fitted.mesh, fitted.allNodes(), mixed));
+  QVERIFY(mixIn(atNodes(fitted.plate(bent), *fitted.mesh), 0.0, fitted.allNodes(), mixed));
   for (std::size_t i = 0; i < mixed.node_slam.size(); ++i) {
     QVERIFY((mixed.node_slam[i].translation - fitted.solution.node_slam[i].translation).norm() < 1e-12);
     QVERIFY((mixed.node_stretch[i] - fitted.solution.node_stretch[i]).norm() < 1e-12);
@@ -88,7 +88,7 @@ void MixingTest::allOfThePlateIsThePlate() {
   const Fitted fitted;
   const ThinPlateFit plate = fitted.plate(bent);
   Solution mixed = fitted.solution;
-  QVERIFY(mixIn(plate, 1.0, *fitted.mesh, fitted.allNodes(), mixed));
+  QVERIFY(mixIn(atNodes(plate, *fitted.mesh), 1.0, fitted.allNodes(), mixed));
   std::mt19937 random(5);
   for (int k = 0; k < 500; ++k) {
     const Eigen::Vector2d place = testing::randomPlace(*fitted.mesh, random);
@@ -100,7 +100,7 @@ void MixingTest::halfLiesBetween() {
   const Fitted fitted;
   const ThinPlateFit plate = fitted.plate(bent);
   Solution mixed = fitted.solution;
-  QVERIFY(mixIn(plate, 0.5, *fitted.mesh, fitted.allNodes(), mixed));
+  QVERIFY(mixIn(atNodes(plate, *fitted.mesh), 0.5, fitted.allNodes(), mixed));
   QCOMPARE(mixed.plate_share, 0.5);
   for (NodeIndex i = 0; i < fitted.mesh->nodeCount(); ++i) {
     const Eigen::Vector2d middle = 0.5 * (fitted.solution.node_slam[i].translation + plate * fitted.mesh->centers()[i]);
@@ -112,7 +112,7 @@ void MixingTest::aFoldedPlateIsRefused() {
   const Fitted fitted;
   const ThinPlateFit mirrored = fitted.plate([](const Eigen::Vector2d& p) { return Eigen::Vector2d(-p.x(), p.y()); });
   Solution mixed = fitted.solution;
-  QVERIFY(!mixIn(mirrored, 0.5, *fitted.mesh, fitted.allNodes(), mixed));
+  QVERIFY(!mixIn(atNodes(mirrored, *fitted.mesh), 0.5, fitted.allNodes(), mixed));
   QVERIFY(mixed.plate_share == 0.0);
   QVERIFY(mixed.node_slam[3].translation == fitted.solution.node_slam[3].translation);
 }
