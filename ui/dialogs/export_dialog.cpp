@@ -44,6 +44,7 @@ ExportDialog::ExportDialog(QWidget* parent, const std::vector<ExportCheck>& chec
     auto* mark = new QLabel(QString::fromUtf16(sign), this);
     mark->setStyleSheet(QStringLiteral("color: %1").arg(QLatin1String(color)));
     auto* sentence = new QLabel(check.sentence, this);
+    sentence->setTextFormat(Qt::PlainText);
     sentence->setWordWrap(true);
     list->addWidget(mark, row, 0, Qt::AlignTop);
     list->addWidget(sentence, row, 1);

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/dialogs/save_path.h"
 
+#include "ui/models/foreign_text.h"
+
 #include <QCoreApplication>
 #include <QFileDialog>
 #include <QFileInfo>
@@ -25,7 +27,7 @@ QString askSavePath(QWidget* parent, const QString& title, const QString& propos
     path += suffix;
     if (!QFileInfo::exists(path)) return path;
     const QString question = Text::tr("%1 already exists. Replace it?").arg(QFileInfo(path).fileName());
-    if (QMessageBox::question(parent, title, question) == QMessageBox::Yes) return path;
+    if (QMessageBox::question(parent, title, asPlainText(question)) == QMessageBox::Yes) return path;
   }
 }
 

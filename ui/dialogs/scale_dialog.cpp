@@ -24,6 +24,7 @@ ScaleDialog::ScaleDialog(QWidget* parent, const std::filesystem::path& image, Si
   auto* text = new QLabel(tr("%1 does not tell its scale. Type it, or click both ends of something whose length you "
                              "know and type that length.")
                               .arg(toQString(image.filename())));
+  text->setTextFormat(Qt::PlainText);
   text->setWordWrap(true);
 
   view_->setSnapping(false);
@@ -56,6 +57,7 @@ ScaleDialog::ScaleDialog(QWidget* parent, const std::filesystem::path& image, Si
   length_ = new QLineEdit(this);
   length_->setObjectName(QStringLiteral("length"));
   measured_ = new QLabel(this);
+  measured_->setTextFormat(Qt::PlainText);
   extent_ = new QLabel(this);
   auto* form = new QFormLayout;
   form->addRow(tr("Line drawn:"), measured_);

@@ -4,6 +4,7 @@
 
 #include "ui/engine_sentences.h"
 #include "ui/main_window/session.h"
+#include "ui/models/foreign_text.h"
 #include "ui/models/number_text.h"
 
 #include <QCoreApplication>
@@ -69,11 +70,9 @@ ChipState chipOf(Session& session) {
               Text::tr("%1 nodes, %2 iterations").arg(result.mesh->nodeCount()).arg(result.solution.iterations)};
     }
     case AlignmentStatus::kFailed: {
-      constexpr qsizetype kMostLetters = 60;
       const QString reason = alignment.error() ? toSentence(*alignment.error()) : QString();
       if (reason.isEmpty()) return {Text::tr("failed"), ChipLook::kBad, reason};
-      const QString start = reason.size() > kMostLetters ? reason.left(kMostLetters) + QChar(0x2026) : reason;
-      return {Text::tr("failed: %1").arg(start), ChipLook::kBad, reason};
+      return {Text::tr("failed: %1").arg(shortened(reason)), ChipLook::kBad, asPlainText(reason)};
     }
     case AlignmentStatus::kCancelled:
       return {Text::tr("stopped"), ChipLook::kBad, Text::tr("Click to solve again (F5)")};

@@ -10,6 +10,7 @@
 #include "ui/convert.h"
 #include "ui/engine_sentences.h"
 #include "ui/main_window/mesh_overlay.h"
+#include "ui/models/foreign_text.h"
 #include "ui/panels/marker_class.h"
 
 namespace cad2slam {
@@ -118,7 +119,7 @@ void PreviewWiring::showBase() {
 QString PreviewWiring::nameInLegend(const std::string& map) const {
   const Alignment& alignment = session_.alignment();
   const bool current = map == session_.document().currentMapName();
-  const QString name = toQString(map);
+  const QString name = shortened(toQString(map));
   switch (current ? alignment.status() : alignment.otherStatus(map)) {
     case AlignmentStatus::kNoAnchors:
       return tr("%1 (no anchors)").arg(name);
@@ -177,7 +178,7 @@ void PreviewWiring::refresh() {
   const Side above = otherSide(below);
   for (const Side side : {below, above}) follow(session_.rasters().picture(side));
   const QString blueprint_name = tr("Blueprint");
-  const QString slam_name = toQString(session_.document().currentMapName());
+  const QString slam_name = shortened(toQString(session_.document().currentMapName()));
   const auto inkOf = [](Side side) { return side == Side::kBlueprint ? kBlueprintInk : kSlamInk; };
   const auto nameOf = [&](Side side) { return side == Side::kBlueprint ? blueprint_name : slam_name; };
   auto scene = std::make_shared<PreviewScene>();

@@ -5,6 +5,7 @@
 #include "ui/convert.h"
 #include "ui/document/anchor_commands.h"
 #include "ui/main_window/mesh_overlay.h"
+#include "ui/models/foreign_text.h"
 #include "ui/panels/marker_class.h"
 
 #include <QEvent>
@@ -183,7 +184,7 @@ std::vector<Marker> ViewPair::markersOf(Side side) const {
     Marker marker;
     marker.id = anchor.id;
     marker.text = QString::number(anchor.id);
-    if (!anchor.name.empty()) marker.text += QLatin1Char(' ') + toQString(anchor.name);
+    if (!anchor.name.empty()) marker.text += QLatin1Char(' ') + shortened(toQString(anchor.name));
     marker.point_m = toQPointF(half(anchor, side));
     const auto judgement = session_.judgements().find(anchor.id);
     if (judgement != session_.judgements().end()) marker.judged = markerClass(judgement->second.judged);

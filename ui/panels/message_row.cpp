@@ -17,6 +17,7 @@ MessageRow::MessageRow(QWidget* parent)
   setObjectName(QStringLiteral("message"));
   layout_->setContentsMargins(10, 3, 6, 3);
   layout_->addWidget(sign_);
+  text_->setTextFormat(Qt::PlainText);  // names and paths in it may look like HTML
   text_->setWordWrap(true);
   text_->setTextInteractionFlags(Qt::TextSelectableByMouse);
   QSizePolicy policy(QSizePolicy::Expanding, QSizePolicy::Preferred);

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/panels/status_strip.h"
 
+#include "ui/models/foreign_text.h"
+
 #include <QCoreApplication>
 #include <QFontDatabase>
 #include <QStatusBar>
@@ -10,12 +12,14 @@ namespace cad2slam {
 
 StatusStrip::StatusStrip(QStatusBar& bar) : hint_(new QLabel), readout_(new QLabel), chip_(new QToolButton) {
   hint_->setObjectName(QStringLiteral("hint"));
+  hint_->setTextFormat(Qt::PlainText);
   hint_->setAccessibleName(QCoreApplication::translate("StatusStrip", "What to do next"));
   QFont bold = hint_->font();
   bold.setBold(true);
   hint_->setFont(bold);
   hint_->setMinimumWidth(1);  // a long hint is cut, it does not widen the window
   readout_->setObjectName(QStringLiteral("readout"));
+  readout_->setTextFormat(Qt::PlainText);
   readout_->setFont(QFontDatabase::systemFont(QFontDatabase::FixedFont));
   chip_->setObjectName(QStringLiteral("solveChip"));
   chip_->setToolButtonStyle(Qt::ToolButtonTextOnly);
@@ -28,7 +32,7 @@ StatusStrip::StatusStrip(QStatusBar& bar) : hint_(new QLabel), readout_(new QLab
 
 void StatusStrip::setHint(const QString& hint) {
   if (hint_->text() != hint) hint_->setText(hint);
-  hint_->setToolTip(hint);  // where the window is too narrow for it
+  hint_->setToolTip(asPlainText(hint));  // where the window is too narrow for it
 }
 
 void StatusStrip::setReadout(const QString& readout) {
