@@ -135,9 +135,10 @@ QString PreviewWiring::nameInLegend(const std::string& map) const {
   }
 }
 
-PreviewWiring::OtherMap& PreviewWiring::otherMap(const MapMetadata& metadata) {
-  OtherMap& other = other_maps_[metadata.image.string()];
-  if (!other.picture || !isSameFrame(other.metadata, metadata)) {
+PreviewWiring::OtherMap& PreviewWiring::otherMap(const ProjectSlamMap& map) {
+  const MapMetadata& metadata = map.raster.metadata;
+  OtherMap& other = other_maps_[map.name];
+  if (!other.picture || other.metadata.image != metadata.image || !isSameFrame(other.metadata, metadata)) {
     other.metadata = metadata;
     const Result<MapFrame> frame = readMapFrame(metadata);
     other.frame = frame ? std::optional(*frame) : std::nullopt;
@@ -148,8 +149,12 @@ PreviewWiring::OtherMap& PreviewWiring::otherMap(const MapMetadata& metadata) {
 }
 
 void PreviewWiring::addAllMaps(PreviewScene& scene, std::vector<InkEntry>& inks) {
+  const auto& maps = session_.document().project().slam_maps;
+  std::erase_if(other_maps_, [&](const auto& entry) {
+    return std::none_of(maps.begin(), maps.end(), [&](const auto& map) { return map.name == entry.first; });
+  });
   std::size_t number = 0;  // an ink stays with its map, whichever maps are solved
-  for (const ProjectSlamMap& map : session_.document().project().slam_maps) {
+  for (const ProjectSlamMap& map : maps) {
     const QColor ink = kMapInks[number++ % kMapInks.size()];
     inks.push_back({ink, nameInLegend(map.name)});
     const auto result = session_.alignment().results().find(map.name);
@@ -157,7 +162,7 @@ void PreviewWiring::addAllMaps(PreviewScene& scene, std::vector<InkEntry>& inks)
     if (map.name == session_.document().currentMapName()) {
       if (session_.isReady())
         scene.layers.push_back({previewRaster(session_.rasters(), Side::kSlam), result->second->projector, ink});
-    } else if (const OtherMap& other = otherMap(map.raster.metadata); other.frame) {
+    } else if (const OtherMap& other = otherMap(map); other.frame) {
       scene.layers.push_back({{other.picture->store(), other.frame}, result->second->projector, ink});
     }
   }

@@ -48,7 +48,7 @@ class PreviewWiring : public QObject {
     std::optional<MapFrame> frame;  // empty: its image cannot be read
     std::shared_ptr<TilePyramid> picture;
   };
-  [[nodiscard]] OtherMap& otherMap(const MapMetadata& metadata);
+  [[nodiscard]] OtherMap& otherMap(const ProjectSlamMap& map);
   void addAllMaps(PreviewScene& scene, std::vector<InkEntry>& inks);
   [[nodiscard]] QString nameInLegend(const std::string& map) const;
   [[nodiscard]] bool hasOtherResults() const;
@@ -63,7 +63,7 @@ class PreviewWiring : public QObject {
   PreviewService service_;
   bool stale_ = true;
   std::shared_ptr<TilePyramid> base_picture_;
-  std::map<std::string, OtherMap> other_maps_;  // by image file; SLAM maps that are not being edited
+  std::map<std::string, OtherMap> other_maps_;  // by name, for two may share an image; those that are not being edited
 };
 
 }  // namespace cad2slam
