@@ -157,7 +157,10 @@ void TilePyramid::announceStore(std::shared_ptr<TileStore> store) {
   QMetaObject::invokeMethod(
       this,
       [this, store = std::move(store)] {
-        store_ = store;
+        {
+          const std::lock_guard lock(wanted_mutex_);
+          store_ = store;
+        }
         emit sizeKnown();
       },
       Qt::QueuedConnection);
@@ -219,6 +222,7 @@ QImage TilePyramid::tile(const TileKey& key) {
 void TilePyramid::unpackWanted() {
   while (!stop_) {
     TileKey key;
+    std::shared_ptr<TileStore> store;  // the image may turn out to have colour while a tile of it is being unpacked
     {
       const std::lock_guard lock(wanted_mutex_);
       if (wanted_.empty()) {
@@ -227,8 +231,9 @@ void TilePyramid::unpackWanted() {
       }
       key = wanted_.back();
       wanted_.pop_back();
+      store = store_;
     }
-    if (!store_->get(key).empty()) announceTiles();
+    if (!store->get(key).empty()) announceTiles();
   }
 }
 

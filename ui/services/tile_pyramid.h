@@ -62,7 +62,7 @@ class TilePyramid : public RasterSource {
   void announceTiles();                                                      // from any worker
   void announceFailure(const QString& sentence);                             // from the worker
 
-  std::shared_ptr<TileStore> store_;
+  std::shared_ptr<TileStore> store_;  // written by the GUI thread under wanted_mutex_, read by workers under it
   State state_ = State::kLoading;
   QString error_;
   QTimer tiles_timer_;  // gathers notices
@@ -72,7 +72,7 @@ class TilePyramid : public RasterSource {
   std::atomic<bool> stop_{false};
   std::atomic<int> percent_{0};
   std::atomic<bool> tiles_announced_{false};
-  std::mutex wanted_mutex_;
+  std::mutex wanted_mutex_;      // of wanted_, unpacking_ and store_
   std::vector<TileKey> wanted_;  // the newest last
   bool unpacking_ = false;
   Lane lane_{2};  // one reads the image, one unpacks tiles

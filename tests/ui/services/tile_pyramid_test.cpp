@@ -109,6 +109,25 @@ class TilePyramidTest : public QObject {
     QCOMPARE(colored->format(), QImage::Format_RGB32);
   }
 
+  /// What was cut as grey is thrown away while its tiles are being unpacked.
+  void tilesCanBeAskedForWhileColourTurnsUp() {
+    cv::Mat pixels;
+    cv::cvtColor(noise(1536, 1536), pixels, cv::COLOR_GRAY2BGR);
+    pixels.at<cv::Vec3b>(1530, 1530) = cv::Vec3b(1, 2, 3);
+    const std::filesystem::path path = written("late_colour.png", pixels, {cv::IMWRITE_PNG_COMPRESSION, 0});
+    for (int round = 0; round < 5; ++round) {
+      const auto pyramid = TilePyramid::load(path);
+      while (pyramid->state() == TilePyramid::State::kLoading) {
+        QCoreApplication::processEvents();
+        for (int row = 0; row < 6; ++row)
+          for (int column = 0; column < 6; ++column) (void)pyramid->tile({0, column, row});
+      }
+      QVERIFY(pyramid->state() == TilePyramid::State::kReady);
+      QCOMPARE(pyramid->format(), QImage::Format_RGB32);
+      QTRY_COMPARE_WITH_TIMEOUT(pyramid->tile({0, 5, 5}).format(), QImage::Format_RGB32, 20'000);
+    }
+  }
+
   void transparentIsWhite() {
     cv::Mat pixels(64, 64, CV_8UC4, cv::Scalar(0, 0, 0, 0));
     pixels(cv::Rect(10, 10, 5, 5)).setTo(cv::Scalar(0, 0, 0, 255));
