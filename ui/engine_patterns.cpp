@@ -208,6 +208,7 @@ constexpr const char* kPatterns[] = {
     QT_TRANSLATE_NOOP("Engine", "the id %1 is not a whole number"),
     QT_TRANSLATE_NOOP("Engine", "the id %1 already stands in line %2"),
     QT_TRANSLATE_NOOP("Engine", "%1 is not a finite number"),
+    QT_TRANSLATE_NOOP("Engine", "%1 is too large for a coordinate"),
     QT_TRANSLATE_NOOP("Engine", "enabled is %1, not 1 or 0"),
     QT_TRANSLATE_NOOP("Engine", "enable is %1, not 1 or 0"),
     QT_TRANSLATE_NOOP("Engine", "holds no \"CorrespondenceAnchor\""),

@@ -612,6 +612,10 @@
         <translation>%1 ist keine endliche Zahl</translation>
     </message>
     <message>
+        <source>%1 is too large for a coordinate</source>
+        <translation>%1 ist zu groß für eine Koordinate</translation>
+    </message>
+    <message>
         <source>enabled is %1, not 1 or 0</source>
         <translation>enabled ist %1, nicht 1 oder 0</translation>
     </message>

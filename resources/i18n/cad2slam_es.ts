@@ -612,6 +612,10 @@
         <translation>%1 no es un número finito</translation>
     </message>
     <message>
+        <source>%1 is too large for a coordinate</source>
+        <translation>%1 es demasiado grande para una coordenada</translation>
+    </message>
+    <message>
         <source>enabled is %1, not 1 or 0</source>
         <translation>enabled es %1, no 1 o 0</translation>
     </message>

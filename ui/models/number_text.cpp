@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/models/number_text.h"
 
+#include "cad2slam/anchors/anchor.h"
+
 #include <QCoreApplication>
 #include <QLocale>
 
@@ -10,7 +12,6 @@
 namespace cad2slam {
 namespace {
 
-constexpr double kLargestCoordinate = 1e9;  // beyond that doubles lose micrometres, and it is a typing error anyway
 const QChar kArabicDecimalSign(0x066b);
 
 /// Digits and minus of a language can be others than a keyboard has, and some minus signs come with marks that do not

@@ -4,11 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <QApplication>
 #include <QCursor>
 #include <QResizeEvent>
 
+#include "cad2slam/anchors/anchor.h"
 #include "ui/convert.h"
 
 namespace cad2slam {
@@ -20,6 +22,13 @@ constexpr double kLargestPixel_px = 96.0;  // an image pixel is never drawn larg
 constexpr double kSmallestImage_px = 40.0;
 constexpr int kGlide_ms = 220;
 constexpr int kLongPress_ms = 550;
+constexpr double kClickReach_px = 4.0;
+
+/// Files can hold any number, and pixels are counted in whole numbers.
+bool isUsable(const ViewState& state) {
+  return std::abs(state.center_m.x()) <= kLargestCoordinate && std::abs(state.center_m.y()) <= kLargestCoordinate &&
+         std::isfinite(state.m_per_px) && state.m_per_px > 0.0 && std::isfinite(state.rotation_rad);
+}
 
 }  // namespace
 
@@ -186,6 +195,7 @@ ViewState MapView::viewState() const {
 }
 
 void MapView::setViewState(const ViewState& state) {
+  if (!isUsable(state)) return;
   stopAnimation();
   fitted_ = false;
   changeState(state);
@@ -199,9 +209,7 @@ double MapView::clampedResolution(double m_per_px) const {
 }
 
 void MapView::changeState(const ViewState& state) {
-  const bool usable = std::isfinite(state.center_m.x()) && std::isfinite(state.center_m.y()) &&
-                      std::isfinite(state.m_per_px) && state.m_per_px > 0.0 && std::isfinite(state.rotation_rad);
-  if (!usable) return;
+  if (!isUsable(state)) return;
   ViewState next = state;
   next.m_per_px = clampedResolution(state.m_per_px);
   next.rotation_rad = wrapAngle(state.rotation_rad);
@@ -255,8 +263,6 @@ void MapView::fit() {
 }
 
 void MapView::fitRect(const QRectF& area_m, double margin) {
-  stopAnimation();
-  fitted_ = false;
   const double c = std::abs(std::cos(state_.rotation_rad));
   const double s = std::abs(std::sin(state_.rotation_rad));
   const QRectF area = area_m.normalized();
@@ -264,7 +270,7 @@ void MapView::fitRect(const QRectF& area_m, double margin) {
   const double seen_width = (area.width() * c + area.height() * s) * grow;
   const double seen_height = (area.width() * s + area.height() * c) * grow;
   const double m_per_px = std::max({seen_width / std::max(1, width()), seen_height / std::max(1, height()), 1e-9});
-  changeState({area.center(), m_per_px, state_.rotation_rad});
+  setViewState({area.center(), m_per_px, state_.rotation_rad});
 }
 
 void MapView::showActualSize() {
@@ -306,6 +312,7 @@ void MapView::rotateAt(const QPointF& widget_px, double angle_rad) {
 }
 
 void MapView::centerOn(const QPointF& point_m, bool animated) {
+  if (!isUsable({point_m, state_.m_per_px, state_.rotation_rad})) return;  // or the way there would be gone in part
   stopAnimation();
   fitted_ = false;
   if (!animated || !isVisible()) {
@@ -339,6 +346,35 @@ void MapView::clickInMiddle() {
   if (!raster_.source() || !frame_) return;
   moved_by_keys_ = true;
   emit clicked(metresFromWidget(QRectF(rect()).center()), Qt::NoModifier, false);
+}
+
+void MapView::endGesture(Qt::KeyboardModifiers modifiers) {
+  const Gesture ended = std::exchange(gesture_, Gesture::kNone);
+  const std::optional<Hit> pressed = std::exchange(pressed_, std::nullopt);
+  switch (ended) {
+    case Gesture::kPressed:
+      if (!pressed) {
+        const bool snapped = snap_m_.has_value();
+        const QPointF point_m = snapped ? *snap_m_ : metresFromWidget(press_);
+        snap_m_.reset();
+        emit clicked(point_m, modifiers, snapped);
+      }
+      break;
+    case Gesture::kDragMarker:
+      emit dragFinished(pressed->id, drag_point_m_, drag_snapped_);
+      break;
+    case Gesture::kTurnPose:
+      emit poseTurnFinished(pressed->id, drag_heading_);
+      break;
+    case Gesture::kTurnView:
+      if (cursor_ && std::hypot(cursor_->x() - press_.x(), cursor_->y() - press_.y()) < kClickReach_px)
+        setRotation(0.0);
+      break;
+    case Gesture::kNone:
+    case Gesture::kPan:
+    case Gesture::kSpent:
+      break;
+  }
 }
 
 void MapView::moveCursor(const QPointF& widget_px) {

@@ -211,6 +211,7 @@ class MapView : public QWidget {
   void beginDrag();
   void moveDrag(Qt::KeyboardModifiers modifiers);
   void cancelDrag();
+  void endGesture(Qt::KeyboardModifiers modifiers);  // as its button goes up
   void showHover(Qt::KeyboardModifiers modifiers);
   void findSnap(const QPointF& widget_px, Qt::KeyboardModifiers modifiers);
   void showCursorShape();

@@ -56,7 +56,8 @@ std::optional<MapView::Hit> MapView::hitAt(const QPointF& widget_px) const {
     if (outside <= 0.0)
       consider(std::min(lengthOf(widget_px - at), kMarkerReach_px), {pose.id, pose.point_m, true, false});
   }
-  if (markers_visible_) {
+  // A pose is there for a while and to be dragged: over a marker it is what is meant.
+  if (markers_visible_ && !best) {
     for (const Marker& marker : markers_) {
       consider(lengthOf(widget_px - widgetFromMetres(marker.point_m)), {marker.id, marker.point_m, false, false});
     }
@@ -193,6 +194,14 @@ void MapView::mouseMoveEvent(QMouseEvent* event) {
   const QPointF step = at - last_;
   cursor_ = at;
   if (!raster_.source() || !frame_) return;
+  if (gesture_ != Gesture::kNone && !event->buttons().testFlag(gesture_button_)) {
+    // A dialog that came up meanwhile got the release. A drag ends where it was; what was a mere press is no click
+    // here.
+    long_press_.stop();
+    long_pressed_ = false;
+    if (gesture_ == Gesture::kPressed || gesture_ == Gesture::kTurnView) gesture_ = Gesture::kSpent;
+    endGesture(event->modifiers());
+  }
   if (gesture_ == Gesture::kPressed && lengthOf(at - press_) >= kClickReach_px) {
     long_press_.stop();
     long_pressed_ = false;
@@ -254,31 +263,7 @@ void MapView::mouseReleaseEvent(QMouseEvent* event) {
     return;
   }
   if (gesture_ == Gesture::kNone || event->button() != gesture_button_) return;
-  const Gesture ended = std::exchange(gesture_, Gesture::kNone);
-  const std::optional<Hit> pressed = std::exchange(pressed_, std::nullopt);
-  switch (ended) {
-    case Gesture::kPressed:
-      if (!pressed) {
-        const bool snapped = snap_m_.has_value();
-        const QPointF point_m = snapped ? *snap_m_ : metresFromWidget(press_);
-        snap_m_.reset();
-        emit clicked(point_m, event->modifiers(), snapped);
-      }
-      break;
-    case Gesture::kDragMarker:
-      emit dragFinished(pressed->id, drag_point_m_, drag_snapped_);
-      break;
-    case Gesture::kTurnPose:
-      emit poseTurnFinished(pressed->id, drag_heading_);
-      break;
-    case Gesture::kTurnView:
-      if (lengthOf(*cursor_ - press_) < kClickReach_px) setRotation(0.0);
-      break;
-    case Gesture::kNone:
-    case Gesture::kPan:
-    case Gesture::kSpent:
-      break;
-  }
+  endGesture(event->modifiers());
   showHover(event->modifiers());
 }
 

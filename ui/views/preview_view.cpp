@@ -360,6 +360,7 @@ void PreviewView::mousePressEvent(QMouseEvent* event) {
 }
 
 void PreviewView::mouseMoveEvent(QMouseEvent* event) {
+  dragging_bar_ = dragging_bar_ && event->buttons().testFlag(Qt::LeftButton);  // a dialog may have got the release
   if (dragging_bar_) {
     setSwipe(event->position().x() / std::max(1, width()));
     return;

@@ -60,6 +60,19 @@ void shiftInPlace(QImage& image, const QPoint& shift) {
   }
 }
 
+/// Whether something of a raster of this size lies within the device, and all numbers on the way there can be counted
+/// with: whatever files say, it is drawn or it is not.
+bool isVisible(const QTransform& device_from_image, const QSize& raster_size, const QSize& device_size) {
+  constexpr double kLargestScale = 1e9;
+  for (const double slope :
+       {device_from_image.m11(), device_from_image.m12(), device_from_image.m21(), device_from_image.m22()})
+    if (!(std::abs(slope) < kLargestScale)) return false;
+  if (!(std::sqrt(std::abs(device_from_image.determinant())) > 1.0 / kLargestScale)) return false;
+  const QRectF seen = device_from_image.mapRect(QRectF(QPointF(0, 0), QSizeF(raster_size)));
+  return seen.left() < device_size.width() && seen.right() > 0.0 && seen.top() < device_size.height() &&
+         seen.bottom() > 0.0;
+}
+
 }  // namespace
 
 void RasterLayer::setSource(std::shared_ptr<RasterSource> source) {
@@ -221,7 +234,8 @@ void RasterLayer::paint(QPainter& painter, const QTransform& widget_from_image, 
     return;
   }
   const QTransform device_from_image = widget_from_image * QTransform::fromScale(ratio, ratio);
-  if (!gatherPatch(device_from_image, device_size)) {
+  in_view_ = isVisible(device_from_image, source_->size(), device_size);
+  if (!in_view_ || !gatherPatch(device_from_image, device_size)) {
     painter.fillRect(QRect(QPoint(0, 0), size), background);
     return;
   }

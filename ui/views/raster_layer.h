@@ -39,7 +39,7 @@ class RasterLayer {
   void paint(QPainter& painter, const QTransform& widget_from_image, const QSize& size, const QColor& background);
 
   /// Whether the last picture had all its tiles; where not, tilesChanged() of the source tells when to refresh.
-  [[nodiscard]] bool isComplete() const { return patch_complete_; }
+  [[nodiscard]] bool isComplete() const { return !in_view_ || patch_complete_; }
 
   /// The level a raster is drawn from when one of its pixels covers `device_px` device pixels.
   [[nodiscard]] static int levelForScale(double device_px, int level_count);
@@ -65,6 +65,7 @@ class RasterLayer {
   QTransform picture_transform_;
   QColor picture_background_;
   bool picture_complete_ = false;
+  bool in_view_ = true;  // some of the raster, when last painted
 };
 
 }  // namespace cad2slam

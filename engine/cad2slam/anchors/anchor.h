@@ -13,6 +13,9 @@ namespace cad2slam {
 /// Identity of an anchor inside one set; what the installer sees as its number. Never reused by an editor.
 using AnchorId = std::int64_t;
 
+/// Coordinates beyond this are typing errors, and doubles lose micrometres there [m].
+inline constexpr double kLargestCoordinate = 1e9;
+
 /// A point of the blueprint paired with the same real place in a SLAM map.
 struct Anchor {
   AnchorId id = 0;

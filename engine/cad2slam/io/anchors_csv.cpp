@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <optional>
 #include <unordered_map>
 
@@ -110,6 +111,10 @@ tl::expected<Anchor, std::string> parseAnchor(const TextRecord& record, const La
     if (!number) {
       return tl::unexpected(std::string(kColumnNames[kCoordinates[k]]) + " " + excerpt(field(kCoordinates[k])) +
                             " is not a finite number");
+    }
+    if (std::abs(*number) > kLargestCoordinate) {
+      return tl::unexpected(std::string(kColumnNames[kCoordinates[k]]) + " " + excerpt(field(kCoordinates[k])) +
+                            " is too large for a coordinate");
     }
     coordinates[k] = *number;
   }

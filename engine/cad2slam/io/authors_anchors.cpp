@@ -4,6 +4,7 @@
 #include "cad2slam/io/text.h"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 
 namespace cad2slam {
@@ -70,6 +71,9 @@ tl::expected<Eigen::Vector2d, std::string> parsePoint(Cursor& cursor) {
   const std::optional<double> y = cursor.takeNumber();
   if (!y) return expectedHere("a finite number", cursor);
   if (!cursor.take("]")) return expectedHere("']'", cursor);
+  for (const double number : {*x, *y})
+    if (std::abs(number) > kLargestCoordinate)
+      return tl::unexpected(formatNumber(number) + " is too large for a coordinate");
   return Eigen::Vector2d(*x, *y);
 }
 

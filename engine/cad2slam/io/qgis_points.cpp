@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 #include <optional>
 #include <string>
@@ -54,6 +55,8 @@ tl::expected<ControlPoint, std::string> parsePoint(const TextRecord& record, con
     const std::string& field = record.fields[*layout[column]];
     const std::optional<double> number = parseNumber(field);
     if (!number) return tl::unexpected(excerpt(field) + " is not a finite number");
+    if (std::abs(*number) > kLargestCoordinate)
+      return tl::unexpected(excerpt(field) + " is too large for a coordinate");
     numbers[column] = *number;
   }
   ControlPoint point{{numbers[kMapX], numbers[kMapY]}, {numbers[kSourceX], numbers[kSourceY]}, true};

@@ -80,7 +80,7 @@ class AnchorsCsvTest : public QObject {
           do {
             const std::uint64_t bits = (static_cast<std::uint64_t>(random()) << 32) | random();
             std::memcpy(&number, &bits, sizeof number);
-          } while (!std::isfinite(number));
+          } while (!(std::abs(number) <= kLargestCoordinate));
         }
         anchors.push_back({static_cast<AnchorId>(random()) * (k % 2 == 0 ? 1 : -1) * 1000 + k,
                            {numbers[0], numbers[1]},
@@ -115,6 +115,7 @@ class AnchorsCsvTest : public QObject {
     QTest::newRow("nan") << QByteArray("9,1,2,nan,4") << "slam_x 'nan' is not a finite number";
     QTest::newRow("infinite") << QByteArray("9,1,2,3,inf") << "slam_y 'inf' is not a finite number";
     QTest::newRow("too large") << QByteArray("9,1e999,2,3,4") << "blueprint_x '1e999' is not a finite number";
+    QTest::newRow("far") << QByteArray("9,1,2,3,-1e308") << "slam_y '-1e308' is too large for a coordinate";
     QTest::newRow("empty") << QByteArray("9,1,,3,4") << "blueprint_y '' is not a finite number";
     QTest::newRow("fraction id") << QByteArray("9.5,1,2,3,4") << "the id '9.5' is not a whole number";
     QTest::newRow("same id") << QByteArray("1,1,2,3,4") << "the id 1 already stands in line 1";

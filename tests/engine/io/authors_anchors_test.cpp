@@ -38,6 +38,7 @@ class AuthorsAnchorsTest : public QObject {
     QTest::addColumn<QByteArray>("object");
     QTest::addColumn<int>("line");
     QTest::newRow("NaN") << QByteArray("{\"_cad_point\" : [ nan, 1 ], \"_slam_point\" : [ 0, 0 ]}") << 1;
+    QTest::newRow("far") << QByteArray("{\"_cad_point\" : [ 1e308, 1 ], \"_slam_point\" : [ 0, 0 ]}") << 1;
     QTest::newRow("one number") << QByteArray("{\n\"_cad_point\" : [ 1 ],\n \"_slam_point\" : [ 0, 0 ]}") << 2;
     QTest::newRow("no SLAM point") << QByteArray("{\"_cad_point\" : [ 1, 2 ]\n}") << 2;
     QTest::newRow("twice") << QByteArray("{\"_cad_point\" : [ 1, 2 ],\n\"_cad_point\" : [ 1, 2 ]}") << 2;

@@ -3,8 +3,11 @@
 #include "ui/views/map_view.h"
 
 #include <QApplication>
+#include <QMouseEvent>
 #include <QSignalSpy>
 #include <QTest>
+
+#include <limits>
 
 #include "ui/convert.h"
 #include "ui/support/shown_view.h"
@@ -25,6 +28,11 @@ Marker markerAt(MarkerId id, const QPointF& point_m) {
   marker.text = QString::number(id);
   marker.point_m = point_m;
   return marker;
+}
+
+void moveWithoutButton(MapView& view, const QPointF& at) {
+  QMouseEvent move(QEvent::MouseMove, at, view.mapToGlobal(at), Qt::NoButton, Qt::NoButton, Qt::NoModifier);
+  QCoreApplication::sendEvent(&view, &move);
 }
 
 class MapViewTest : public QObject {
@@ -130,6 +138,68 @@ class MapViewTest : public QObject {
     QCOMPARE(finished[0][0].value<MarkerId>(), MarkerId(7));
     QVERIFY(distance(finished[0][1].toPointF(), target) < 1e-6);
     QCOMPARE(clicked.size(), 0);
+  }
+
+  /// A dialog that comes up by a key gets the release of the mouse.
+  void aDragWhoseReleaseWentElsewhereEnds() {
+    Shown shown;
+    shown.view.setSnapping(false);
+    shown.view.setMarkers({markerAt(7, shown.middle())});
+    QSignalSpy moved(&shown.view, &MapView::dragMoved);
+    QSignalSpy finished(&shown.view, &MapView::dragFinished);
+    QSignalSpy clicked(&shown.view, &MapView::clicked);
+    const QPoint start = shown.at(shown.middle());
+    QTest::mousePress(&shown.view, Qt::LeftButton, {}, start);
+    QTest::mouseMove(&shown.view, start + QPoint(30, 0));
+    QVERIFY(shown.view.isDragging());
+    const auto moves = moved.size();
+    moveWithoutButton(shown.view, start + QPoint(90, 60));
+    QVERIFY(!shown.view.isDragging());
+    QCOMPARE(moved.size(), moves);
+    QCOMPARE(finished.size(), 1);
+    QCOMPARE(finished[0][1].toPointF(), moved.last()[1].toPointF());
+    // The same of a pan, and a press alone is no click somewhere else.
+    shown.view.setMarkers({});
+    QTest::mousePress(&shown.view, Qt::LeftButton, {}, start);
+    QTest::mouseMove(&shown.view, start + QPoint(30, 0));
+    const ViewState panned = shown.view.viewState();
+    moveWithoutButton(shown.view, start + QPoint(90, 60));
+    QVERIFY(shown.view.viewState() == panned);
+    QTest::mousePress(&shown.view, Qt::LeftButton, {}, start);
+    moveWithoutButton(shown.view, start + QPoint(90, 60));
+    QVERIFY(shown.view.viewState() == panned);
+    QCOMPARE(clicked.size(), 0);
+    QTest::mouseClick(&shown.view, Qt::LeftButton, {}, start);
+    QCOMPARE(clicked.size(), 1);
+  }
+
+  void onlyPlacesThatCanBeCountedWithAreShown() {
+    Shown shown;
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    const double infinite = std::numeric_limits<double>::infinity();
+    const ViewState before = shown.view.viewState();
+    for (const double bad : {1e308, -1e308, 2e9, infinite, nan}) {
+      for (const QPointF& center : {QPointF(bad, 0.0), QPointF(0.0, bad), QPointF(bad, bad)}) {
+        shown.view.setViewState({center, 0.05, 0.0});
+        shown.view.centerOn(center, false);
+        shown.view.centerOn(center, true);
+        shown.view.fitRect(QRectF(center, QSizeF(1.0, 1.0)));
+      }
+    }
+    for (const double bad : {infinite, -infinite, nan}) {
+      shown.view.setViewState({before.center_m, 0.05, bad});
+      shown.view.setViewState({before.center_m, bad, 0.0});
+    }
+    QVERIFY(shown.view.viewState() == before && shown.view.isFitted());
+    QTest::qWait(0);
+    shown.view.setMarkers({markerAt(1, {1e308, -1e308}), markerAt(2, {nan, infinite})});
+    shown.view.setResiduals({{{1e308, 0.0}, {0.0, infinite}, MarkerClass::kPlain}}, 10.0);
+    shown.view.setPaths({PathGlyph{{{0.0, 0.0}, {1e308, -1e308}}, Qt::red, 2.0, {}, false}});
+    shown.view.setGhost(Ghost{{1e308, 1e308}, 1e308, QStringLiteral("?")});
+    QVERIFY(!shown.view.grab().isNull());
+    // Far away there is nothing but background.
+    shown.view.setViewState({{9e8, -9e8}, 0.05, 0.0});
+    QVERIFY(!shown.view.grab().isNull());
   }
 
   void escapeRestoresADrag() {

@@ -7,6 +7,8 @@
 #include <QRandomGenerator>
 #include <QTest>
 
+#include <limits>
+
 #include "ui/support/rasters.h"
 
 namespace cad2slam {
@@ -43,6 +45,28 @@ class RasterLayerTest : public QObject {
     QCOMPARE(RasterLayer::levelForScale(0.25, 6), 2);
     QCOMPARE(RasterLayer::levelForScale(1e-9, 6), 5);
     QCOMPARE(RasterLayer::levelForScale(0.0, 6), 0);
+  }
+
+  /// Files can hold any number: nothing is drawn where the raster cannot be.
+  void anyTransformIsSurvived() {
+    RasterLayer layer;
+    layer.setSource(TilePyramid::fromPixels(test::floorPlan(900, 700)));
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    const double infinite = std::numeric_limits<double>::infinity();
+    for (const double number : {1e12, 1e30, 1e308, -1e308, infinite, nan, 1e-308, 1e-30}) {
+      for (const QTransform& transform :
+           {QTransform(1, 0, 0, 1, number, 0), QTransform(1, 0, 0, 1, 0, number), QTransform(number, 0, 0, 1, 0, 0),
+            QTransform(1, number, 0, 1, 0, 0), QTransform(number, 0, 0, number, 0, 0),
+            QTransform(number, 0, 0, number, -number, -number), QTransform(0, number, number, 0, number, 0)}) {
+        const QImage picture = drawn(layer, transform);
+        QCOMPARE(picture.size(), QSize(320, 240));
+        QVERIFY(picture.pixelColor(319, 239) != QColor(Qt::red));  // of the picture that was there before
+      }
+    }
+    const QImage after = drawnWhole(layer, QTransform());
+    RasterLayer fresh;
+    fresh.setSource(TilePyramid::fromPixels(test::floorPlan(900, 700)));
+    QCOMPARE(after, drawnWhole(fresh, QTransform()));
   }
 
   /// A picture that was shifted strip by strip equals one drawn at once.
