@@ -8,6 +8,7 @@
 #include "ui/engine_sentences.h"
 #include "ui/main_window/anchor_editing.h"
 #include "ui/main_window/diagnosis_messages.h"
+#include "ui/main_window/dropped_files.h"
 #include "ui/main_window/exports.h"
 #include "ui/main_window/hints.h"
 #include "ui/main_window/menus.h"
@@ -203,19 +204,8 @@ void MainWindow::connectFileActions() {
   });
   on(kRemoveSlamMap, [this] { edit::removeSlamMap(session_.document(), session_.document().currentMapName()); });
   files_->setBeforeSave([this] { storeViewState(); });
-  connect(views_, &ViewPair::filesDropped, this, [this](Side side, QStringList paths) {
-    // Whatever belongs to a site can be dropped anywhere.
-    for (auto path = paths.begin(); path != paths.end();) {
-      const bool anchors = path->endsWith(QStringLiteral(".csv"), Qt::CaseInsensitive) ||
-                           path->endsWith(QStringLiteral(".data"), Qt::CaseInsensitive) ||
-                           path->endsWith(QStringLiteral(".points"), Qt::CaseInsensitive);
-      const bool projector = path->endsWith(QStringLiteral(".c2s"), Qt::CaseInsensitive);
-      if (anchors) exports_->importAnchors(*path);
-      if (projector) exports_->inspectProjector(*path);
-      path = anchors || projector ? paths.erase(path) : path + 1;
-    }
-    files_->takeDropped(side, paths);
-  });
+  auto* dropped = new DroppedFiles(session_, *files_, *exports_, this);
+  connect(views_, &ViewPair::filesDropped, dropped, &DroppedFiles::take);
   for (const Side side : {Side::kBlueprint, Side::kSlam})
     connect(
         &view(side), &MapView::chooseRequested, this,
