@@ -25,8 +25,10 @@
 #include <QFutureWatcher>
 #include <QLocale>
 #include <QProgressDialog>
+#include <QScopeGuard>
 #include <QStandardPaths>
 #include <QTimeZone>
+#include <QTimer>
 
 #include <algorithm>
 #include <cmath>
@@ -231,7 +233,15 @@ Result<SolveResultPtr> Exports::solveAfresh() {
   connect(&watcher, &QFutureWatcherBase::finished, &until_done, &QEventLoop::quit);
   QProgressDialog progress(tr("Solving the alignment from nothing…"), tr("Cancel"), 0, 0, &window_);
   progress.setWindowModality(Qt::WindowModal);
-  progress.setMinimumDuration(500);  // [ms]; the usual four seconds look like a program that hangs
+  // The dialog's own timer starts with the first step, which there is none of here, and waits four seconds. What is
+  // edited before it comes up does no harm: the request holds everything that is exported.
+  constexpr int kUsualWait_ms = 500;
+  QTimer::singleShot(kUsualWait_ms, &progress, [&progress] {
+    if (!progress.wasCanceled()) progress.show();
+  });
+  progress_ = &progress;
+  const auto forget = qScopeGuard([this] { progress_ = nullptr; });
+  window_.installEventFilter(this);  // see there
   connect(&progress, &QProgressDialog::canceled, &watcher, [&watcher] { watcher.cancel(); });
   Lane lane;
   watcher.setFuture(lane.run<Outcome>([request = session_.alignment().currentRequest()](QPromise<Outcome>& promise) {
@@ -242,14 +252,27 @@ Result<SolveResultPtr> Exports::solveAfresh() {
     }));
   }));
   until_done.exec();
+  window_.removeEventFilter(this);
+  if (!watcher.isFinished()) watcher.cancel();  // the program ends
   if (watcher.isCanceled() || watcher.future().resultCount() == 0)
     return fail(ErrorCode::kCancelled, "The export was cancelled, nothing was written");
   return watcher.result();
 }
 
+bool Exports::eventFilter(QObject* watched, QEvent* event) {
+  if (watched != &window_ || event->type() != QEvent::Close || !progress_) return QObject::eventFilter(watched, event);
+  // Closing would drop the export unseen: it can be waited for or cancelled in the dialog.
+  progress_->show();
+  event->ignore();
+  return true;
+}
+
 bool Exports::exportProjector(const QString& path, const QString& overridden) {
   const QString id = QStringLiteral("export-projector");
-  if (std::exchange(exporting_, true)) return false;  // the last one is still solving
+  if (std::exchange(exporting_, true)) {  // the last one is still solving
+    if (progress_) progress_->show();
+    return false;
+  }
   const ProjectorOptions options = session_.alignment().result() ? projectorOptions(overridden) : ProjectorOptions();
   const Result<SolveResultPtr> solved = solveAfresh();
   exporting_ = false;

@@ -15,6 +15,7 @@
 #include <utility>
 #include <vector>
 
+class QProgressDialog;
 class QWidget;
 
 namespace cad2slam {
@@ -46,6 +47,9 @@ class Exports : public QObject {
   void askExportProjector();
   void askInspectProjector();
 
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
  private:
   /// The alignment of the document as it is, solved from nothing and aside of the window: the same document gives the
   /// same projector to the last bit, whatever was edited before. The installer can cancel it.
@@ -61,6 +65,7 @@ class Exports : public QObject {
   QWidget& window_;
   std::function<QStringList()> findings_;
   bool exporting_ = false;
+  QProgressDialog* progress_ = nullptr;  // of the export that runs
 };
 
 }  // namespace cad2slam

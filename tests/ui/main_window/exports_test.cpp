@@ -1,0 +1,92 @@
+// SPDX-FileCopyrightText: 2026 The CAD2SLAM authors
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/main_window/exports.h"
+
+#include "cad2slam/io/projector_file.h"
+#include "ui/support/office_window.h"
+
+#include <QFile>
+#include <QProgressDialog>
+#include <QPushButton>
+#include <QTimer>
+
+#include <memory>
+
+using namespace cad2slam;
+using test::OfficeWindow;
+
+/// What can happen while an export is being solved.
+class ExportsTest : public QObject {
+  Q_OBJECT
+
+ private:
+  std::unique_ptr<test::Sandbox> sandbox_;
+  std::unique_ptr<OfficeWindow> office_;
+  QString path_;
+
+  [[nodiscard]] QProgressDialog* dialog() const { return office_->window.findChild<QProgressDialog*>(); }
+
+ private slots:
+  void init() {
+    sandbox_ = std::make_unique<test::Sandbox>();
+    path_ = sandbox_->path(QStringLiteral("site.c2s"));
+    office_ = std::make_unique<OfficeWindow>();
+    office_->addExact(12);
+    QVERIFY(office_->waitUntilSolved());
+    QVERIFY(office_->window.files().saveProjectTo(sandbox_->path(QStringLiteral("site.c2sproj"))));
+  }
+  void cleanup() {
+    office_.reset();
+    sandbox_.reset();
+  }
+
+  void aWindowThatIsClosedWaitsForItsExport() {
+    bool closed = true;
+    bool told = false;
+    QTimer::singleShot(0, qApp, [&] {
+      closed = office_->window.close();
+      told = dialog() && dialog()->isVisible();
+    });
+    QVERIFY(office_->window.exports().exportProjector(path_));
+    QVERIFY(!closed && told);
+    QVERIFY(office_->window.isVisible());
+    QVERIFY(QFile::exists(path_));
+    QVERIFY(office_->window.close());
+  }
+
+  void cancelledNothingIsWritten() {
+    QTimer::singleShot(0, qApp, [&] {
+      office_->window.close();
+      dialog()->findChild<QPushButton*>()->click();
+    });
+    QVERIFY(!office_->window.exports().exportProjector(path_));
+    QVERIFY(office_->hasMessage(QStringLiteral("export-projector")));
+    QVERIFY(!QFile::exists(path_));
+  }
+
+  void whatIsEditedMeanwhileIsNotInTheFile() {
+    QTimer::singleShot(0, qApp, [&] {
+      edit::deleteAnchors(office_->document(), {1, 2, 3});
+      office_->document().reset(Project{}, {});
+    });
+    QVERIFY(office_->window.exports().exportProjector(path_));
+    const ProjectorData data = readProjectorFile(toPath(path_)).value();
+    QCOMPARE(data.anchors.size(), std::size_t(12));
+    QCOMPARE(QString::fromStdString(data.info.project), QStringLiteral("site.c2sproj"));
+  }
+
+  void aProgramThatEndsDropsTheSolveAndSaysSo() {
+    bool written = true;
+    QTimer::singleShot(0, qApp, [&] {
+      QTimer::singleShot(0, qApp, [] { QCoreApplication::exit(); });  // runs within the export
+      written = office_->window.exports().exportProjector(path_);
+    });
+    QApplication::exec();
+    QVERIFY(!written);
+    QVERIFY(office_->hasMessage(QStringLiteral("export-projector")));
+    QVERIFY(!QFile::exists(path_));
+  }
+};
+
+QTEST_MAIN(ExportsTest)
+#include "exports_test.moc"
