@@ -68,6 +68,9 @@ DiagnosisMessages::DiagnosisMessages(Session& session, ViewPair& views, MessageB
       },
       [this](const Answer& answer) { take(answer); });
   connect(&session_.alignment(), &Alignment::statusChanged, this, &DiagnosisMessages::ask);
+  connect(&session_.document(), &ProjectDocument::changed, this, [this](const ChangeEvent& event) {
+    if (event.what & Change::kPreferences) ask();  // other limits judge the same solution
+  });
 }
 
 DiagnosisMessages::~DiagnosisMessages() = default;
