@@ -346,6 +346,9 @@ void MainWindow::connectTestPoses() {
     refreshHint();
   };
   connect(test_poses_, &TestPoses::changed, this, refresh);
+  connect(test_poses_, &TestPoses::forgotten, this, [this] {
+    for (const ActionId id : {kTestPose, kPlanPath}) (*actions_)[id]->setChecked(false);
+  });
   connect(test_poses_, &TestPoses::planningFailed, this, [this](const QString& sentence) {
     messages_->show({QStringLiteral("plan"), Severity::kWarning, sentence, {}, 6000});
   });

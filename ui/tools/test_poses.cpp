@@ -42,10 +42,14 @@ TestPoses::TestPoses(Session& session, QObject* parent) : QObject(parent), sessi
   connect(&session_.alignment(), &Alignment::resultChanged, this, &TestPoses::changed);
   connect(&session_.document(), &ProjectDocument::changed, this, [this](const ChangeEvent& event) {
     if (!(event.what & (Change::kEverything | Change::kBlueprint))) return;
+    planner_->cancel();
     path_.reset();
     if (event.what & Change::kEverything) {
       placed_[0] = placed_[1] = false;
+      poses_ = {};
+      robot_visible_ = path_visible_ = false;  // they stood in another building
       loaded_.clear();
+      emit forgotten();
     }
     emit changed();
   });
@@ -152,15 +156,16 @@ void TestPoses::plan() {
 TestPoses::PoseImport TestPoses::loadPoses(const QByteArray& text, Side side) {
   loaded_.clear();
   loaded_side_ = side;
-  // Where there are semicolons, a comma is a decimal comma.
-  static const QRegularExpression kSeparator(QStringLiteral("[,\\t ]+"));
-  static const QRegularExpression kSeparatorBesideComma(QStringLiteral("[;\\t ]+"));
-  const QRegularExpression& separator = text.contains(';') ? kSeparatorBesideComma : kSeparator;
+  // Where semicolons or tabs separate, as spreadsheets write them, a comma is a decimal comma.
+  static const QRegularExpression kCommaOrSpace(QStringLiteral("[, ]+"));
+  static const QRegularExpression kSemicolonOrTab(QStringLiteral(",? *(;|\\t+)"));
+  const bool from_spreadsheet = text.contains(';') || text.contains('\t');
+  const QRegularExpression& separator = from_spreadsheet ? kSemicolonOrTab : kCommaOrSpace;
   PoseImport import;
   for (const QByteArray& line : text.split('\n')) {
     const QString trimmed = QString::fromUtf8(line).trimmed();
     if (trimmed.isEmpty()) continue;
-    const QStringList fields = trimmed.split(separator, Qt::SkipEmptyParts);
+    const QStringList fields = trimmed.split(separator, from_spreadsheet ? Qt::KeepEmptyParts : Qt::SkipEmptyParts);
     const std::optional<double> x = fields.size() > 1 ? parseNumber(fields[0]) : std::nullopt;
     const std::optional<double> y = fields.size() > 1 ? parseNumber(fields[1]) : std::nullopt;
     const std::optional<double> heading = fields.size() > 2 ? parseNumber(fields[2]) : std::nullopt;

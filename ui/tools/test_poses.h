@@ -55,7 +55,7 @@ class TestPoses : public QObject {
     std::size_t skipped = 0;  ///< lines without numbers, a heading of the columns among them
     bool cut = false;         ///< there were more than can be shown
   };
-  /// Lines `x,y[,heading]` (metres, radians), separated by comma, tab or spaces, or by semicolon with decimal commas.
+  /// Lines `x,y[,heading]` (metres, radians), separated by comma or spaces, or by semicolon or tab with decimal commas.
   PoseImport loadPoses(const QByteArray& text, Side side);
   void clearPoses();
   [[nodiscard]] bool hasPoses() const { return !loaded_.empty(); }
@@ -67,6 +67,8 @@ class TestPoses : public QObject {
 
  signals:
   void changed();
+  /// Another project: nothing of the old one is shown any more.
+  void forgotten();
   void planningFailed(const QString& sentence);
 
  private:
