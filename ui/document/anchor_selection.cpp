@@ -7,8 +7,11 @@
 namespace cad2slam {
 
 AnchorSelection::AnchorSelection(ProjectDocument& document, QObject* parent) : QObject(parent), document_(document) {
-  connect(&document_, &ProjectDocument::changed, this,
-          [this](const ChangeEvent& event) { set(event.by_history && !event.added.empty() ? event.added : ids_); });
+  connect(&document_, &ProjectDocument::changed, this, [this](const ChangeEvent& event) {
+    if (event.by_history && !event.added.empty()) return set(event.added);
+    // The same numbers are other anchors there.
+    set(event.what & (Change::kEverything | Change::kCurrentMap) ? std::vector<AnchorId>() : ids_);
+  });
 }
 
 std::optional<AnchorId> AnchorSelection::current() const {

@@ -13,7 +13,8 @@
 namespace cad2slam {
 
 /// Which anchors are selected, the same for the table and both views. The current one is what keys act on; it is the
-/// one selected last. Anchors that vanish leave the selection; anchors that undo or redo brings back enter it.
+/// one selected last. Anchors that vanish leave the selection; anchors that undo or redo brings back enter it. Another
+/// project or SLAM map begins with none.
 class AnchorSelection : public QObject {
   Q_OBJECT
 

@@ -413,6 +413,29 @@ class ProjectDocumentTest : public QObject {
     QCOMPARE(selection.ids().size(), std::size_t(3));
   }
 
+  void anotherProjectOrMapBeginsWithNothingSelected() {
+    AnchorSelection selection(document_);
+    addThree();
+    Project other = document_.project();
+    selection.set({1, 2});
+    document_.reset(other, {});
+    QVERIFY(selection.ids().empty());
+    selection.set({1, 2});
+    QVERIFY(edit::renameSlamMap(document_, "robot 1", "cleaner"));
+    QCOMPARE(selection.ids().size(), std::size_t(2));
+    other.slam_maps.push_back(other.slam_maps[0]);
+    other.slam_maps[1].name = "robot 2";
+    document_.reset(other, {});
+    selection.set({1, 2});
+    document_.setCurrentMap("robot 2");
+    QVERIFY(selection.ids().empty());
+    // Undo that goes to another map still selects what it brings back.
+    edit::deleteAnchors(document_, {3});
+    document_.setCurrentMap("robot 1");
+    document_.undoStack().undo();
+    QCOMPARE(selection.ids(), std::vector<AnchorId>{3});
+  }
+
   void onlyAnchorsThatExistAreSelected() {
     addThree();
     AnchorSelection selection(document_);
