@@ -1988,6 +1988,10 @@
 <context>
     <name>cad2slam::AnchorEditing</name>
     <message>
+        <source>A pixel can be from %1 to %2 metres wide</source>
+        <translation>Ein Pixel kann von %1 bis %2 Meter breit sein</translation>
+    </message>
+    <message>
         <source>&amp;Undo: %1</source>
         <translation>&amp;Rückgängig: %1</translation>
     </message>
@@ -3450,8 +3454,8 @@ Karten-YAML, PGM, PNG oder TIFF</translation>
         <translation>&amp;Sprache (ab dem nächsten Start):</translation>
     </message>
     <message>
-        <source>The fields with a frame need a number above zero</source>
-        <translation>Die umrahmten Felder brauchen eine Zahl über null</translation>
+        <source>The fields with a frame need a number above zero that a project can hold</source>
+        <translation>Die umrahmten Felder brauchen eine Zahl über null, die ein Projekt aufnehmen kann</translation>
     </message>
     <message>
         <source>Automatic: what predicts the anchors best (recommended)</source>

@@ -1988,6 +1988,10 @@
 <context>
     <name>cad2slam::AnchorEditing</name>
     <message>
+        <source>A pixel can be from %1 to %2 metres wide</source>
+        <translation>Un píxel puede medir de %1 a %2 metros de ancho</translation>
+    </message>
+    <message>
         <source>&amp;Undo: %1</source>
         <translation>&amp;Deshacer: %1</translation>
     </message>
@@ -3450,8 +3454,8 @@ YAML de mapa, PGM, PNG o TIFF</translation>
         <translation>&amp;Idioma (desde el próximo inicio):</translation>
     </message>
     <message>
-        <source>The fields with a frame need a number above zero</source>
-        <translation>Los campos con marco necesitan un número mayor que cero</translation>
+        <source>The fields with a frame need a number above zero that a project can hold</source>
+        <translation>Los campos con marco necesitan un número mayor que cero que quepa en un proyecto</translation>
     </message>
     <message>
         <source>Automatic: what predicts the anchors best (recommended)</source>

@@ -97,13 +97,16 @@ void ScaleDialog::onClicked(const QPointF& point) {
 
 std::optional<double> ScaleDialog::metresPerPixel() const {
   const auto positive = [](std::optional<double> value) { return value && *value > 0.0 ? value : std::nullopt; };
+  const auto scale = [](std::optional<double> value) {
+    return value && kResolutionRange.holds(*value) ? value : std::nullopt;
+  };
   const std::optional<double> length_m = positive(parseNumber(length_->text()));
   if (ends_px_.size() == 2 && length_m) {
     const QPointF line = ends_px_[1] - ends_px_[0];
     const double length_px = std::hypot(line.x(), line.y());
-    return length_px >= 1.0 ? std::optional(*length_m / length_px) : std::nullopt;
+    return length_px >= 1.0 ? scale(*length_m / length_px) : std::nullopt;
   }
-  return positive(parseNumber(resolution_->text()));
+  return scale(parseNumber(resolution_->text()));
 }
 
 void ScaleDialog::refresh() {

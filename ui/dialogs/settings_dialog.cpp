@@ -22,19 +22,19 @@ QString optionalText(const std::optional<double>& value) {
   return value ? shortNumberText(*value) : QString();
 }
 
-std::optional<double> positive(const QLineEdit* field) {
+std::optional<double> numberIn(const NumberRange& range, const QLineEdit* field) {
   const std::optional<double> value = parseNumber(field->text());
+  return value && range.holds(*value) ? value : std::nullopt;
+}
+
+std::optional<double> positive(const QLineEdit* field, const NumberRange& range = kWeightRange) {
+  const std::optional<double> value = numberIn(range, field);
   return value && *value > 0.0 ? value : std::nullopt;
 }
 
 /// What takes no part in the model is zero.
 std::optional<double> zeroOrMore(const QLineEdit* field) {
-  const std::optional<double> value = parseNumber(field->text());
-  return value && *value >= 0.0 ? value : std::nullopt;
-}
-
-bool isEmptyOrPositive(const QLineEdit* field) {
-  return field->text().trimmed().isEmpty() || positive(field);
+  return numberIn(kWeightRange, field);
 }
 
 }  // namespace
@@ -195,7 +195,7 @@ ProjectSettings SettingsDialog::settings() const {
   solver.model = model_->currentIndex() == 0 ? Model::kStretch : Model::kRigid;
   solver.stiffness = stiffness();
   solver.scale.rule = static_cast<ScaleRule>(scale_rule_->currentIndex());
-  solver.scale.fixed_scale = positive(fixed_scale_).value_or(solver.scale.fixed_scale);
+  solver.scale.fixed_scale = positive(fixed_scale_, kFixedScaleRange).value_or(solver.scale.fixed_scale);
   solver.anchor_information = positive(anchor_information_).value_or(solver.anchor_information);
   solver.loss_width_m = positive(loss_width_);
   solver.lambda_x = positive(lambda_x_).value_or(solver.lambda_x);
@@ -203,7 +203,7 @@ ProjectSettings SettingsDialog::settings() const {
   solver.lambda_theta = positive(lambda_theta_);
   solver.lambda_stretch = zeroOrMore(lambda_stretch_).value_or(solver.lambda_stretch);
   solver.prior_strength = zeroOrMore(prior_).value_or(solver.prior_strength);
-  result.cell_size_m = positive(cell_size_);
+  result.cell_size_m = positive(cell_size_, kCellSizeRange);
   result.limits.ok_m = positive(ok_m_).value_or(result.limits.ok_m);
   result.limits.ok_cells = positive(ok_cells_).value_or(result.limits.ok_cells);
   result.limits.look_m = positive(look_m_).value_or(result.limits.look_m);
@@ -229,14 +229,17 @@ void SettingsDialog::refresh() {
   bool good = true;
   for (QLineEdit* field : findChildren<QLineEdit*>()) {
     const bool may_be_empty = field == cell_size_ || field == loss_width_ || field == lambda_theta_;
+    const bool empty = field->text().trimmed().isEmpty();
+    const NumberRange& range = field == cell_size_     ? kCellSizeRange
+                               : field == fixed_scale_ ? kFixedScaleRange
+                                                       : kWeightRange;
     // What cannot be typed into takes no part: a rigid mesh has neither stretch nor resistance to it.
-    const bool valid =
-        !field->isEnabledTo(this) || (may_be_empty ? isEmptyOrPositive(field) : positive(field).has_value());
+    const bool valid = !field->isEnabledTo(this) || (may_be_empty && empty) || positive(field, range);
     field->setStyleSheet(valid ? QString() : QStringLiteral("QLineEdit { border: 2px solid #c2185b; }"));
     good = good && valid;
   }
   ok_->setEnabled(good);
-  ok_->setToolTip(good ? QString() : tr("The fields with a frame need a number above zero"));
+  ok_->setToolTip(good ? QString() : tr("The fields with a frame need a number above zero that a project can hold"));
 }
 
 }  // namespace cad2slam

@@ -80,6 +80,7 @@ void setBlueprint(ProjectDocument& document, const ProjectRaster& raster) {
 void rescaleBlueprint(ProjectDocument& document, double factor) {
   if (!document.mayEditAnchors()) return;
   if (!std::isfinite(factor) || factor <= 0.0 || factor == 1.0) return;
+  if (!kResolutionRange.holds(document.project().blueprint.metadata.resolution_m_per_px * factor)) return;
   DocumentState state = document.state();
   MapMetadata& metadata = state.project.blueprint.metadata;
   metadata.resolution_m_per_px *= factor;

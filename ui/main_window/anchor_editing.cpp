@@ -195,14 +195,23 @@ void AnchorEditing::disableWorst() {
 void AnchorEditing::rescale() {
   const double now = session_.document().project().blueprint.metadata.resolution_m_per_px;
   bool ok = false;
-  const QString text =
-      QInputDialog::getText(&window_, tr("Rescale blueprint"), tr("Metres for each pixel of the blueprint:"),
-                            QLineEdit::Normal, numberText(now, 6), &ok);
-  if (!ok) return;
+  const QString shown = numberText(now, 6);
+  const QString text = QInputDialog::getText(
+      &window_, tr("Rescale blueprint"), tr("Metres for each pixel of the blueprint:"), QLineEdit::Normal, shown, &ok);
+  if (!ok || text == shown) return;  // left alone, it keeps the digits that are not shown
   const std::optional<double> wanted = parseNumber(text);
   if (!wanted || *wanted <= 0.0) {
     messages_.show(
         {QStringLiteral("toast"), Severity::kWarning, tr("\"%1\" is not a length above zero").arg(text), {}, 6000});
+    return;
+  }
+  if (!kResolutionRange.holds(*wanted)) {
+    messages_.show({QStringLiteral("toast"),
+                    Severity::kWarning,
+                    tr("A pixel can be from %1 to %2 metres wide")
+                        .arg(numberText(kResolutionRange.least, 6), numberText(kResolutionRange.most, 0)),
+                    {},
+                    6000});
     return;
   }
   edit::rescaleBlueprint(session_.document(), *wanted / now);

@@ -23,6 +23,15 @@ enum class MapSemantics {
 
 enum class MapMode { kTrinary, kScale, kRaw };
 
+/// Which numbers are read and written.
+struct NumberRange {
+  double least;
+  double most;
+
+  [[nodiscard]] constexpr bool holds(double number) const { return number >= least && number <= most; }
+};
+inline constexpr NumberRange kResolutionRange{1e-6, 1e4};  ///< of a map [m/px]
+
 /// A map_server YAML as read: `image` is resolved against the folder of the YAML.
 struct MapMetadata {
   std::filesystem::path yaml;  ///< empty for a bare image

@@ -16,8 +16,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t kLargestText = std::size_t{64} << 10;
-constexpr double kFinestResolution = 1e-6;  // [m/px]
-constexpr double kCoarsestResolution = 1e4;
 
 /// What stands behind one key: one scalar, or a list of scalars, or something else that no key here means.
 struct Entry {
@@ -147,7 +145,7 @@ Result<MapYaml> readKeys(const KeyReader& keys, const fs::path& yaml) {
   if (image->find('\0') != std::string::npos) return keys.refuse("image", "is no file name: " + excerpt(*image));
   metadata.image = yaml.parent_path() / *image;  // an absolute name stays as it is
 
-  const Result<double> resolution = keys.number("resolution", kFinestResolution, kCoarsestResolution);
+  const Result<double> resolution = keys.number("resolution", kResolutionRange.least, kResolutionRange.most);
   if (!resolution) return failAs(resolution);
   metadata.resolution_m_per_px = *resolution;
 

@@ -24,7 +24,6 @@ using nlohmann::ordered_json;
 
 constexpr std::size_t kLargestFile = std::size_t{8} << 20;
 constexpr const char* kFormat = "cad2slam-project";
-constexpr double kLargestWeight = 1e12;
 
 /// Words for the values of an enumeration, in files and in memory.
 template <class Value>
@@ -80,6 +79,10 @@ fs::path readPath(const JsonReader& reader, const fs::path& folder) {
   return (folder / text).lexically_normal();
 }
 
+double numberIn(const NumberRange& range, const JsonReader& reader, double otherwise) {
+  return reader.number(otherwise, range.least, range.most);
+}
+
 Eigen::Vector2d readPoint(const JsonReader& reader) {
   if (reader.required().size() != 2) {
     reader.report("must be a list of two numbers");
@@ -102,7 +105,7 @@ ProjectRaster readRaster(const JsonReader& reader, const fs::path& folder) {
   MapMetadata& metadata = raster.metadata;
   metadata.image = readPath(reader["image"].required(), folder);
   metadata.yaml = readPath(reader["yaml"], folder);
-  metadata.resolution_m_per_px = reader["resolution_m_per_px"].required().number(0.05, 1e-6, 1e4);
+  metadata.resolution_m_per_px = numberIn(kResolutionRange, reader["resolution_m_per_px"].required(), 0.05);
   const JsonReader origin = reader["origin"];
   if (origin.required().size() == 3) {
     metadata.metric_from_corner = {{origin.at(0).number(0.0), origin.at(1).number(0.0)}, origin.at(2).number(0.0)};
@@ -156,16 +159,18 @@ SolverSettings readSettings(const JsonReader& reader) {
   SolverSettings settings = defaultSettings(valueOf(reader["model"], kModels, Model::kStretch));
   settings.stiffness = valueOf(reader["stiffness"], kStiffnesses, settings.stiffness);
   settings.scale.rule = valueOf(reader["scale_rule"], kScaleRules, settings.scale.rule);
-  settings.scale.fixed_scale = reader["fixed_scale"].number(settings.scale.fixed_scale, 1e-6, 1e6);
-  settings.lambda_x = reader["lambda_x"].number(settings.lambda_x, 0.0, kLargestWeight);
-  settings.lambda_y = reader["lambda_y"].number(settings.lambda_y, 0.0, kLargestWeight);
-  if (reader["lambda_theta"].exists())
-    settings.lambda_theta = reader["lambda_theta"].optionalNumber(0.0, kLargestWeight);
-  settings.lambda_stretch = reader["lambda_stretch"].number(settings.lambda_stretch, 0.0, kLargestWeight);
-  settings.prior_strength = reader["prior_strength"].number(settings.prior_strength, 0.0, kLargestWeight);
-  settings.anchor_information = reader["anchor_information"].number(settings.anchor_information, 0.0, kLargestWeight);
-  if (reader["loss_width_m"].exists())
-    settings.loss_width_m = reader["loss_width_m"].optionalNumber(0.0, kLargestWeight);
+  settings.scale.fixed_scale = numberIn(kFixedScaleRange, reader["fixed_scale"], settings.scale.fixed_scale);
+  const auto weight = [&](const char* key, double& value) { value = numberIn(kWeightRange, reader[key], value); };
+  const auto optional_weight = [&](const char* key, std::optional<double>& value) {
+    if (reader[key].exists()) value = reader[key].optionalNumber(kWeightRange.least, kWeightRange.most);
+  };
+  weight("lambda_x", settings.lambda_x);
+  weight("lambda_y", settings.lambda_y);
+  optional_weight("lambda_theta", settings.lambda_theta);
+  weight("lambda_stretch", settings.lambda_stretch);
+  weight("prior_strength", settings.prior_strength);
+  weight("anchor_information", settings.anchor_information);
+  optional_weight("loss_width_m", settings.loss_width_m);
   settings.max_iterations = reader["max_iterations"].integer(settings.max_iterations, 1, 1'000'000);
   settings.gradient_tolerance = reader["gradient_tolerance"].number(settings.gradient_tolerance, 0.0, 1.0);
   return settings;
@@ -348,7 +353,7 @@ Result<Project> parseProject(const std::string& text, const fs::path& path) {
     project.slam_maps.push_back(std::move(map));
   }
   project.settings = readSettings(reader["solver"]);
-  project.cell_size_m = reader["cell_size_m"].optionalNumber(1e-6, 1e6);
+  project.cell_size_m = reader["cell_size_m"].optionalNumber(kCellSizeRange.least, kCellSizeRange.most);
   const JsonReader view = reader["view"];
   if (!view.isNull()) {
     if (!view.value().is_object()) view.report("must be an object");

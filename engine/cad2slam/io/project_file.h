@@ -15,6 +15,11 @@
 
 namespace cad2slam {
 
+/// Numbers that a project can hold; with others it could not be saved. See also kResolutionRange.
+inline constexpr NumberRange kCellSizeRange{1e-6, 1e6};  ///< [m]
+inline constexpr NumberRange kFixedScaleRange{1e-6, 1e6};
+inline constexpr NumberRange kWeightRange{0.0, 1e12};  ///< of the solver's settings
+
 /// One raster of a project: where its YAML or image lies and how to recognise it.
 struct ProjectRaster {
   MapMetadata metadata;  ///< paths absolute in memory, relative to the project file on disk where possible

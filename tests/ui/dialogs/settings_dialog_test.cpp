@@ -71,6 +71,27 @@ class SettingsDialogTest : public QObject {
     QCOMPARE(okOf(dialog)->isEnabled(), !field(dialog, "fixedScale")->isEnabled());
   }
 
+  void whatCouldNotBeSavedCannotBeChosen() {
+    SolverSettings solver = defaultSettings(Model::kStretch);
+    solver.scale.rule = ScaleRule::kFixed;
+    for (const char* name : {"fixedScale", "cellSize", "anchorInformation", "prior"}) {
+      SettingsDialog dialog(nullptr, {solver, {}, {}}, {});
+      field(dialog, name)->setText(QStringLiteral("2e15"));
+      QVERIFY2(!okOf(dialog)->isEnabled(), name);
+      field(dialog, name)->setText(QStringLiteral("1000000"));
+      QVERIFY2(okOf(dialog)->isEnabled(), name);
+    }
+    SettingsDialog dialog(nullptr, {solver, {}, {}}, {});
+    for (const char* name : {"fixedScale", "cellSize"}) {
+      for (const char* text : {"1000001", "0.0000001"}) {
+        field(dialog, name)->setText(QLatin1String(text));
+        QVERIFY2(!okOf(dialog)->isEnabled(), name);
+      }
+      field(dialog, name)->setText(QStringLiteral("2"));
+    }
+    QVERIFY(okOf(dialog)->isEnabled());
+  }
+
   void theRigidModelIsSolvedAndKept() {
     const test::Sandbox sandbox;
     const QString path = sandbox.path(QStringLiteral("rigid.c2sproj"));

@@ -194,6 +194,8 @@ class ProjectDocumentTest : public QObject {
     edit::deleteAnchors(document_, {99});
     edit::rescaleBlueprint(document_, 1.0);
     edit::rescaleBlueprint(document_, -2.0);
+    edit::rescaleBlueprint(document_, 1e6);  // more than a project can hold
+    edit::rescaleBlueprint(document_, 1e-6);
     edit::changeSettings(document_, {document_.project().settings, document_.project().cell_size_m, {}});
     QVERIFY(edit::renameSlamMap(document_, "robot 1", "robot 1"));
     QVERIFY(!edit::renameSlamMap(document_, "robot 1", ""));
