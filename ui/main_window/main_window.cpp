@@ -48,6 +48,7 @@ using enum ActionId;
 namespace {
 
 constexpr int kPixmapCache_kB = 32 * 1024;
+constexpr int kWidestChoice_px = 400;  // names can have any length
 
 /// A view under its heading.
 QWidget* titled(const QString& title, QWidget* extra, MapView* view) {
@@ -122,6 +123,7 @@ void MainWindow::layOut() {
   map_choice_->setAccessibleName(tr("SLAM map being edited"));
   map_choice_->setToolTip(tr("SLAM map being edited; each has its own anchors"));
   map_choice_->setSizeAdjustPolicy(QComboBox::AdjustToContents);
+  map_choice_->setMaximumWidth(kWidestChoice_px);
 
   auto* splitter = new QSplitter(Qt::Horizontal);
   splitter->setChildrenCollapsible(false);
