@@ -159,10 +159,12 @@ void PreviewPanel::setBlueprintBelow(bool below) {
 }
 
 bool PreviewPanel::eventFilter(QObject* watched, QEvent* event) {
+  // Another window gets the release: this one must not go on as if the key were held.
+  if (event->type() == QEvent::WindowDeactivate) view_->setBlinkHeld(false);
   const bool press = event->type() == QEvent::KeyPress;
   if ((press || event->type() == QEvent::KeyRelease) && watched->isWidgetType()) {
     const auto* key = static_cast<QKeyEvent*>(event);
-    const bool is_b = key->key() == Qt::Key_B && key->modifiers() == Qt::NoModifier;
+    const bool is_b = key->key() == Qt::Key_B && (!press || key->modifiers() == Qt::NoModifier);
     const auto* widget = static_cast<QWidget*>(watched);
     if (is_b && view_->isVisible() && isSameProgramWindow(widget, this) && !isTyping(widget)) {
       if (!key->isAutoRepeat()) view_->setBlinkHeld(press);

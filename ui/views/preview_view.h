@@ -29,6 +29,7 @@ class PreviewView : public MapView {
   void setAutoBlink(bool on);
   /// While B is held: the other map in mode kBlink, the base alone in every other mode.
   void setBlinkHeld(bool held);
+  [[nodiscard]] bool isBlinkHeld() const { return blink_held_; }
   void setSwipe(double part);  ///< place of the bar, 0 left to 1 right
   [[nodiscard]] double swipe() const { return swipe_; }
 

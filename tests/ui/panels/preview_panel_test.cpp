@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: 2026 The CAD2SLAM authors
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/panels/preview_panel.h"
+
+#include <QTest>
+
+using namespace cad2slam;
+
+class PreviewPanelTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void blinkLastsWhileItsKeyIsHeld() {
+    QWidget window;
+    auto* panel = new PreviewPanel(&window);
+    auto* beside = new QWidget(&window);
+    window.show();
+    QVERIFY(QTest::qWaitForWindowExposed(&window));
+    QTest::keyPress(beside, Qt::Key_B);
+    QVERIFY(panel->view().isBlinkHeld());
+    QTest::keyRelease(beside, Qt::Key_B);
+    QVERIFY(!panel->view().isBlinkHeld());
+    // Whatever else is held by then.
+    QTest::keyPress(beside, Qt::Key_B);
+    QTest::keyRelease(beside, Qt::Key_B, Qt::ShiftModifier);
+    QVERIFY(!panel->view().isBlinkHeld());
+  }
+
+  /// Alt+Tab: the release of the key goes elsewhere.
+  void blinkEndsWithTheWindowsTurn() {
+    QWidget window;
+    auto* panel = new PreviewPanel(&window);
+    window.show();
+    window.activateWindow();
+    QVERIFY(QTest::qWaitForWindowActive(&window));
+    QTest::keyPress(panel, Qt::Key_B);
+    QVERIFY(panel->view().isBlinkHeld());
+    QWidget other;
+    other.show();
+    other.activateWindow();
+    QVERIFY(QTest::qWaitForWindowActive(&other));
+    QVERIFY(!panel->view().isBlinkHeld());
+  }
+};
+
+QTEST_MAIN(PreviewPanelTest)
+#include "preview_panel_test.moc"
