@@ -206,6 +206,7 @@ constexpr const char* kPatterns[] = {
     QT_TRANSLATE_NOOP("Engine", "has a quote that is never closed"),
     QT_TRANSLATE_NOOP("Engine", "has text behind a closing quote"),
     QT_TRANSLATE_NOOP("Engine", "the id %1 is not a whole number"),
+    QT_TRANSLATE_NOOP("Engine", "the id %1 is not from 0 to %2"),
     QT_TRANSLATE_NOOP("Engine", "the id %1 already stands in line %2"),
     QT_TRANSLATE_NOOP("Engine", "%1 is not a finite number"),
     QT_TRANSLATE_NOOP("Engine", "%1 is too large for a coordinate"),

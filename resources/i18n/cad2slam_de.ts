@@ -604,6 +604,10 @@
         <translation>die id %1 ist keine ganze Zahl</translation>
     </message>
     <message>
+        <source>the id %1 is not from 0 to %2</source>
+        <translation>die id %1 liegt nicht zwischen 0 und %2</translation>
+    </message>
+    <message>
         <source>the id %1 already stands in line %2</source>
         <translation>die id %1 steht schon in Zeile %2</translation>
     </message>

@@ -604,6 +604,10 @@
         <translation>la id %1 no es un número entero</translation>
     </message>
     <message>
+        <source>the id %1 is not from 0 to %2</source>
+        <translation>la id %1 no está entre 0 y %2</translation>
+    </message>
+    <message>
         <source>the id %1 already stands in line %2</source>
         <translation>la id %1 ya está en la línea %2</translation>
     </message>

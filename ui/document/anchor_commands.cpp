@@ -18,7 +18,7 @@ EditAnchorsCommand::EditAnchorsCommand(ProjectDocument& document, std::vector<An
       document_(document),
       map_(document.currentMapName()),
       changes_(std::move(changes)),
-      next_id_before_(document.nextId()),
+      next_id_before_(document.state().next_id),
       next_id_after_(next_id),
       gesture_(gesture),
       interim_(interim) {}
@@ -91,7 +91,7 @@ void push(ProjectDocument& document, const std::vector<AnchorId>& ids, const QSt
   }
   if (changes.empty() || !document.mayEditAnchors()) return;
   document.undoStack().push(
-      new EditAnchorsCommand(document, std::move(changes), document.nextId(), text, gesture, interim));
+      new EditAnchorsCommand(document, std::move(changes), document.state().next_id, text, gesture, interim));
 }
 
 }  // namespace
@@ -104,8 +104,8 @@ AnchorId addAnchor(ProjectDocument& document, const Eigen::Vector2d& in_blueprin
   change.index = document.anchors().size();
   change.after = Anchor{id, in_blueprint, in_slam, true, {}, {}};
   change.snapped_after = snapped;
-  document.undoStack().push(
-      new EditAnchorsCommand(document, {change}, id + 1, text(QT_TRANSLATE_NOOP("edit", "add anchor %1"), id)));
+  document.undoStack().push(new EditAnchorsCommand(document, {change}, std::max(document.state().next_id, id + 1),
+                                                   text(QT_TRANSLATE_NOOP("edit", "add anchor %1"), id)));
   return id;
 }
 
@@ -135,7 +135,7 @@ void deleteAnchors(ProjectDocument& document, const std::vector<AnchorId>& ids) 
   const QString name = changes.size() == 1
                            ? text(QT_TRANSLATE_NOOP("edit", "delete anchor %1"), changes.front().id())
                            : text(QT_TRANSLATE_NOOP("edit", "delete %1 anchors"), AnchorId(changes.size()));
-  document.undoStack().push(new EditAnchorsCommand(document, std::move(changes), document.nextId(), name));
+  document.undoStack().push(new EditAnchorsCommand(document, std::move(changes), document.state().next_id, name));
 }
 
 void setEnabled(ProjectDocument& document, const std::vector<AnchorId>& ids, bool enabled) {
@@ -168,14 +168,15 @@ std::vector<AnchorId> addAnchors(ProjectDocument& document, AnchorList anchors, 
   std::vector<AnchorId> ids;
   if (!document.currentMap() || anchors.empty() || !document.mayEditAnchors()) return ids;
   std::vector<AnchorChange> changes;
-  AnchorId next_id = document.nextId();
+  AnchorId next_id = document.state().next_id;
   std::set<AnchorId> taken;
   for (const Anchor& anchor : document.anchors()) taken.insert(anchor.id);
   for (const Anchor& anchor : anchors)
     if (!taken.contains(anchor.id)) next_id = std::max(next_id, anchor.id + 1);
   for (Anchor& anchor : anchors) {
     if (!taken.insert(anchor.id).second) {
-      anchor.id = next_id++;
+      anchor.id = freeAnchorId(next_id, taken);
+      next_id = std::max(next_id, anchor.id + 1);
       taken.insert(anchor.id);
     }
     ids.push_back(anchor.id);

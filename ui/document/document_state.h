@@ -58,6 +58,9 @@ struct DocumentState {
   std::map<std::string, std::set<AnchorId>> snapped;  ///< by SLAM map: anchors with a half placed on a found corner
 };
 
+/// `wanted`, or where files cannot hold that, the lowest number that is not taken.
+[[nodiscard]] AnchorId freeAnchorId(AnchorId wanted, const std::set<AnchorId>& taken);
+
 /// Adding, removing or editing one anchor; which of them, the presence of the two values says.
 struct AnchorChange {
   std::size_t index = 0;  ///< place in the list: before for a removal, after for an addition

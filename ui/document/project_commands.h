@@ -47,8 +47,8 @@ namespace edit {
 
 /// Another image as blueprint; anchors keep their metres.
 void setBlueprint(ProjectDocument& document, const ProjectRaster& raster);
-/// `factor` times as many metres for each pixel; anchors stay on their pixels. Nothing happens where a project could not
-/// hold the resolution.
+/// `factor` times as many metres for each pixel; anchors stay on their pixels. Nothing happens where a project could
+/// not hold the resolution.
 void rescaleBlueprint(ProjectDocument& document, double factor);
 /// Mirrors the picture left to right; anchors stay on their pixels. `frame`: of the blueprint.
 void flipBlueprint(ProjectDocument& document, const MapFrame& frame);

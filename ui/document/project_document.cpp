@@ -46,6 +46,13 @@ const ProjectSlamMap* sameMapIn(const Project& before, const ProjectSlamMap& map
 
 }  // namespace
 
+AnchorId freeAnchorId(AnchorId wanted, const std::set<AnchorId>& taken) {
+  if (wanted <= kLargestAnchorId) return wanted;
+  AnchorId id = 1;
+  while (taken.contains(id)) ++id;
+  return id;
+}
+
 ProjectDocument::ProjectDocument(QObject* parent) : QObject(parent) {
   undo_stack_.setUndoLimit(10'000);
   connect(&undo_stack_, &QUndoStack::cleanChanged, this, [this] { announce({Change::kSavedState, {}, {}, {}}); });
@@ -91,6 +98,13 @@ const Anchor* ProjectDocument::anchor(AnchorId id) const {
   for (const Anchor& anchor : anchors())
     if (anchor.id == id) return &anchor;
   return nullptr;
+}
+
+AnchorId ProjectDocument::nextId() const {
+  if (state_.next_id <= kLargestAnchorId) return state_.next_id;
+  std::set<AnchorId> taken;
+  for (const Anchor& anchor : anchors()) taken.insert(anchor.id);
+  return freeAnchorId(state_.next_id, taken);
 }
 
 bool ProjectDocument::isSnapped(AnchorId id) const {

@@ -41,7 +41,8 @@ class ProjectDocument : public QObject {
   [[nodiscard]] const AnchorList& anchors() const;  ///< of the current SLAM map
   [[nodiscard]] const Anchor* anchor(AnchorId id) const;
   [[nodiscard]] bool isSnapped(AnchorId id) const;
-  [[nodiscard]] AnchorId nextId() const { return state_.next_id; }
+  /// What the next anchor is called; above all others, and where a file has used up the numbers, the lowest free one.
+  [[nodiscard]] AnchorId nextId() const;
 
   /// Counts edits that make earlier results out of date.
   [[nodiscard]] std::uint64_t revision() const { return revision_; }

@@ -13,6 +13,9 @@ namespace cad2slam {
 /// Identity of an anchor inside one set; what the installer sees as its number. Never reused by an editor.
 using AnchorId = std::int64_t;
 
+/// From 0 to this ids are read from files: JSON and spreadsheets keep them exactly.
+inline constexpr AnchorId kLargestAnchorId = AnchorId{1} << 53;
+
 /// Coordinates beyond this are typing errors, and doubles lose micrometres there [m].
 inline constexpr double kLargestCoordinate = 1e9;
 

@@ -99,6 +99,9 @@ tl::expected<Anchor, std::string> parseAnchor(const TextRecord& record, const La
   if (layout.position[kId]) {
     const std::optional<AnchorId> id = parseInteger<AnchorId>(field(kId));
     if (!id) return tl::unexpected("the id " + excerpt(field(kId)) + " is not a whole number");
+    if (*id < 0 || *id > kLargestAnchorId) {
+      return tl::unexpected("the id " + excerpt(field(kId)) + " is not from 0 to " + std::to_string(kLargestAnchorId));
+    }
     anchor.id = *id;
   }
   std::array<double, kCoordinates.size()> coordinates{};

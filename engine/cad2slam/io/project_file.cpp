@@ -132,7 +132,7 @@ AnchorList readAnchorList(const JsonReader& reader) {
   for (std::size_t k = 0; k < count; ++k) {
     const JsonReader item = reader.at(k);
     Anchor anchor;
-    anchor.id = item["id"].required().integer<AnchorId>(0);
+    anchor.id = item["id"].required().integer<AnchorId>(0, 0, kLargestAnchorId);
     anchor.in_blueprint = readPoint(item["blueprint"]);
     anchor.in_slam = readPoint(item["slam"]);
     anchor.enabled = item["enabled"].flag(true);

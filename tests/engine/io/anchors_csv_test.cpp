@@ -82,7 +82,7 @@ class AnchorsCsvTest : public QObject {
             std::memcpy(&number, &bits, sizeof number);
           } while (!(std::abs(number) <= kLargestCoordinate));
         }
-        anchors.push_back({static_cast<AnchorId>(random()) * (k % 2 == 0 ? 1 : -1) * 1000 + k,
+        anchors.push_back({static_cast<AnchorId>(random()) * 1000 + k,
                            {numbers[0], numbers[1]},
                            {numbers[2], numbers[3]},
                            random() % 2 == 0,
@@ -118,6 +118,9 @@ class AnchorsCsvTest : public QObject {
     QTest::newRow("far") << QByteArray("9,1,2,3,-1e308") << "slam_y '-1e308' is too large for a coordinate";
     QTest::newRow("empty") << QByteArray("9,1,,3,4") << "blueprint_y '' is not a finite number";
     QTest::newRow("fraction id") << QByteArray("9.5,1,2,3,4") << "the id '9.5' is not a whole number";
+    QTest::newRow("negative id") << QByteArray("-100,1,2,3,4") << "the id '-100' is not from 0 to 9007199254740992";
+    QTest::newRow("large id") << QByteArray("9223372036854775807,1,2,3,4")
+                              << "the id '9223372036854775807' is not from 0 to 9007199254740992";
     QTest::newRow("same id") << QByteArray("1,1,2,3,4") << "the id 1 already stands in line 1";
     QTest::newRow("switch") << QByteArray("9,1,2,3,4,perhaps") << "enabled is 'perhaps', not 1 or 0";
     QTest::newRow("open quote") << QByteArray("9,1,2,3,4,1,\"door") << "has a quote that is never closed";

@@ -172,6 +172,8 @@ class ProjectFileTest : public QObject {
     row("/slam_maps/1/name", "\"\"", "slam_maps[1].name must not be empty");
     row("/slam_maps/1/name", "\"robot 1\"", "slam_maps[1].name is the name of another map, too: 'robot 1'");
     row("/slam_maps/0/anchors/1/id", "7", "slam_maps[0].anchors[1].id stands twice: 7");
+    for (const char* id : {"-1", "-100", "9007199254740993", "9223372036854775807"})
+      row("/slam_maps/0/anchors/1/id", id, "slam_maps[0].anchors[1].id must be a whole number in its range");
     row("/slam_maps/0/anchors/1/id", "1.5", "slam_maps[0].anchors[1].id must be a whole number in its range");
     row("/slam_maps/0/anchors/1/slam", "[1]", "slam_maps[0].anchors[1].slam must be a list of two numbers");
     row("/slam_maps/0/anchors/1/slam/1", "\"1\"",

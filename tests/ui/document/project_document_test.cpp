@@ -186,6 +186,26 @@ class ProjectDocumentTest : public QObject {
     QCOMPARE(reopened.nextId(), AnchorId(32));
   }
 
+  void theLargestNumberOfAFileIsNoEnd() {
+    addThree();
+    const auto imported = edit::addAnchors(
+        document_, {Anchor{.id = kLargestAnchorId}, Anchor{.id = 1}, Anchor{.id = 2}}, QStringLiteral("import"));
+    QCOMPARE(imported, (std::vector<AnchorId>{kLargestAnchorId, 4, 5}));
+    QCOMPARE(edit::addAnchor(document_, {7, 7}, {8, 8}), AnchorId(6));
+    edit::rename(document_, 6, "door");
+    QCOMPARE(document_.nextId(), AnchorId(7));
+    const Project saved = document_.projectToSave();
+    const Result<Project> read = parseProject(formatProject(saved, "/nowhere/a.c2sproj"), "/nowhere/a.c2sproj");
+    QVERIFY(read.has_value());
+    ProjectDocument reopened;
+    reopened.reset(*read, {});
+    QCOMPARE(edit::addAnchor(reopened, {9, 9}, {8, 8}), AnchorId(7));
+    document_.undoStack().undo();
+    document_.undoStack().undo();
+    document_.undoStack().undo();
+    QCOMPARE(document_.nextId(), AnchorId(4));
+  }
+
   void nothingHappensWhereNothingChanges() {
     addThree();
     const int steps = document_.undoStack().count();
