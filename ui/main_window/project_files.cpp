@@ -9,6 +9,7 @@
 #include "ui/dialogs/scale_dialog.h"
 #include "ui/document/project_commands.h"
 #include "ui/engine_sentences.h"
+#include "ui/main_window/tour.h"
 #include "ui/main_window/typing.h"
 #include "ui/panels/message_bar.h"
 
@@ -209,10 +210,18 @@ bool ProjectFiles::askSave() {
   return box.clickedButton() == replace && saveProjectTo(path);
 }
 
+QString ProjectFiles::folderToSaveIn(const QString& images, const std::optional<QString>& sample) {
+  const QFileInfo folder(images);
+  const bool installed = sample && QFileInfo(*sample).canonicalFilePath() == folder.canonicalFilePath();
+  return installed || !folder.isWritable() ? QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation)
+                                           : images;
+}
+
 bool ProjectFiles::askSaveAs() {
   finishTyping(window_);
   const std::filesystem::path& now = session_.document().path();
-  const QString proposal = now.empty() ? folder() + QStringLiteral("/site.c2sproj") : toQString(now);
+  const QString proposal =
+      now.empty() ? folderToSaveIn(folder(), Tour::sampleFolder()) + QStringLiteral("/site.c2sproj") : toQString(now);
   const QString path =
       askSavePath(&window_, tr("Save project"), proposal, tr("Projects (*.c2sproj)"), QStringLiteral(".c2sproj"));
   return !path.isEmpty() && saveProjectTo(path);

@@ -10,6 +10,7 @@
 #include <QTimer>
 
 #include <functional>
+#include <optional>
 #include <string>
 
 class QMenu;
@@ -47,6 +48,8 @@ class ProjectFiles : public QObject {
   void askImage(Side side);
   /// Save / Discard / Cancel where there is something to save; false on Cancel.
   [[nodiscard]] bool mayClose();
+  /// Where a project of images in `images` is proposed to be saved: not where they were installed with the program.
+  [[nodiscard]] static QString folderToSaveIn(const QString& images, const std::optional<QString>& sample);
   void takeDropped(Side side, const QStringList& paths);
 
  signals:

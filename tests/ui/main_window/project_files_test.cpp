@@ -112,6 +112,18 @@ class ProjectFilesTest : public QObject {
     QCOMPARE(readProject(toPath(path)).value().slam_maps.at(0).anchors.at(0).name, std::string("south door"));
   }
 
+  void aProjectOfTheTourIsNotProposedBesideTheProgram() {
+    const QString site = sandbox_->path(QStringLiteral("site"));
+    const QString sample = sandbox_->path(QStringLiteral("sample"));
+    QVERIFY(QDir().mkpath(site) && QDir().mkpath(sample));
+    const QString documents = QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
+    QCOMPARE(ProjectFiles::folderToSaveIn(site, sample), site);
+    QCOMPARE(ProjectFiles::folderToSaveIn(site, std::nullopt), site);
+    QCOMPARE(ProjectFiles::folderToSaveIn(sample, sample), documents);
+    QCOMPARE(ProjectFiles::folderToSaveIn(sample + QStringLiteral("/../sample/"), sample), documents);
+    QCOMPARE(ProjectFiles::folderToSaveIn(sandbox_->path(QStringLiteral("gone")), std::nullopt), documents);
+  }
+
   void savingLeavesTheKeyboardWhereItIs() {
     OfficeWindow office;
     office.window.view(Side::kSlam).setFocus();
