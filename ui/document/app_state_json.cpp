@@ -24,10 +24,20 @@ double positiveOr(const QJsonValue& value, double fallback) {
   return std::isfinite(number) && number > 0.0 ? number : fallback;
 }
 
+QJsonObject objectOf(const std::string& json) {
+  return QJsonDocument::fromJson(QByteArray::fromStdString(json)).object();
+}
+
+QJsonObject withUnknownKeys(QJsonObject known, const QJsonObject& read) {
+  for (auto each = read.begin(); each != read.end(); ++each)
+    if (!known.contains(each.key())) known.insert(each.key(), each.value());
+  return known;
+}
+
 }  // namespace
 
 AppState appStateFromJson(const std::string& json) {
-  const QJsonObject root = QJsonDocument::fromJson(QByteArray::fromStdString(json)).object();
+  const QJsonObject root = objectOf(json);
   AppState state;
   state.next_id = idOr(root[u"next_anchor_id"], 1);
   state.locked = root[u"locked"].toBool();
@@ -47,24 +57,26 @@ AppState appStateFromJson(const std::string& json) {
   return state;
 }
 
-std::string appStateToJson(const AppState& state) {
+std::string appStateToJson(const AppState& state, const std::string& read) {
   QJsonObject snapped;
   for (const auto& [map, ids] : state.snapped) {
     QJsonArray array;
     for (const AnchorId id : ids) array.append(static_cast<qint64>(id));
     snapped.insert(toQString(map), array);
   }
-  const QJsonObject limits{{QStringLiteral("ok_cells"), state.limits.ok_cells},
-                           {QStringLiteral("ok_m"), state.limits.ok_m},
-                           {QStringLiteral("look_cells"), state.limits.look_cells},
-                           {QStringLiteral("look_m"), state.limits.look_m}};
+  const QJsonObject known_limits{{QStringLiteral("ok_cells"), state.limits.ok_cells},
+                                 {QStringLiteral("ok_m"), state.limits.ok_m},
+                                 {QStringLiteral("look_cells"), state.limits.look_cells},
+                                 {QStringLiteral("look_m"), state.limits.look_m}};
+  const QJsonObject before = objectOf(read);
+  const QJsonObject limits = withUnknownKeys(known_limits, before[u"class_limits"].toObject());
   const QJsonObject root{{QStringLiteral("next_anchor_id"), static_cast<qint64>(state.next_id)},
                          {QStringLiteral("locked"), state.locked},
                          {QStringLiteral("current_map"), toQString(state.current_map)},
                          {QStringLiteral("class_limits"), limits},
                          {QStringLiteral("snapped"), snapped},
                          {QStringLiteral("views"), state.views}};
-  return QJsonDocument(root).toJson(QJsonDocument::Compact).toStdString();
+  return QJsonDocument(withUnknownKeys(root, before)).toJson(QJsonDocument::Compact).toStdString();
 }
 
 }  // namespace cad2slam

@@ -22,6 +22,7 @@ struct AppState {
 };
 
 [[nodiscard]] AppState appStateFromJson(const std::string& json);
-[[nodiscard]] std::string appStateToJson(const AppState& state);
+/// `read`: as it stood in the file, of which the keys of newer versions survive.
+[[nodiscard]] std::string appStateToJson(const AppState& state, const std::string& read);
 
 }  // namespace cad2slam

@@ -189,7 +189,7 @@ Project ProjectDocument::projectToSave() const {
   app.locked = locked_;
   app.current_map = currentMapName();
   app.views = view_state_;
-  result.view_state_json = appStateToJson(app);
+  result.view_state_json = appStateToJson(app, result.view_state_json);
   if (!path_.empty()) result.name = toStd(toQString(path_.stem()));
   result.app_version = toStd(QCoreApplication::applicationVersion());
   return result;

@@ -469,18 +469,6 @@ class ProjectDocumentTest : public QObject {
     edit::deleteAnchors(document_, {first});
     QVERIFY(selection.ids().empty());
   }
-
-  void hostileViewStateFallsBackToDefaults() {
-    Project project = test::smallProject();
-    for (const char* text : {"", "[]", "{\"next_anchor_id\":1e300,\"class_limits\":{\"ok_m\":-1},\"snapped\":[1]}",
-                             "{\"next_anchor_id\":\"x\",\"views\":7,\"class_limits\":null}", "{{{"}) {
-      project.view_state_json = text;
-      ProjectDocument document;
-      document.reset(project, {});
-      QCOMPARE(document.nextId(), AnchorId(1));
-      QVERIFY(document.state().limits == ClassLimits{});
-    }
-  }
 };
 
 QTEST_GUILESS_MAIN(ProjectDocumentTest)
