@@ -24,6 +24,7 @@
 #include "ui/panels/message_bar.h"
 #include "ui/panels/preview_panel.h"
 #include "ui/panels/status_strip.h"
+#include "ui/panels/toast_overlay.h"
 #include "ui/tools/test_poses.h"
 #include "ui/views/map_view.h"
 
@@ -138,6 +139,7 @@ void MainWindow::layOut() {
   layout->addWidget(messages_);
   layout->addWidget(splitter, 1);
   setCentralWidget(central);
+  messages_->setOverlay(new ToastOverlay(*splitter));
 
   anchor_panel_ = new AnchorPanel(session_.document(), session_.selection());
   fillAnchorToolBar(*anchor_panel_, *actions_);

@@ -115,6 +115,7 @@ void Tour::refresh() {
                                looked_ = true;
                                refresh();
                              }});
+  message.pinned = true;  // warnings come while one learns
   message.cures.push_back({step == kSteps - 1 ? tr("Done") : tr("End the tour"), [this] { finish(); }});
   window_.messages().show(std::move(message));
 }

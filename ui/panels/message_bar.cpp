@@ -2,11 +2,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/panels/message_bar.h"
 
+#include "ui/panels/toast_overlay.h"
+
 #include <QTimer>
 #include <QToolButton>
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <tuple>
 #include <utility>
 
 namespace cad2slam {
@@ -34,6 +37,11 @@ MessageBar::MessageBar(QWidget* parent) : QWidget(parent), layout_(new QVBoxLayo
   layout_->addWidget(more_);
   setVisible(false);
   setAccessibleName(tr("Messages"));
+}
+
+void MessageBar::setOverlay(ToastOverlay* overlay) {
+  overlay_ = overlay;
+  rebuild();
 }
 
 void MessageBar::show(Message message) {
@@ -91,26 +99,48 @@ MessageRow* MessageBar::rowFor(const Message& message, std::vector<MessageRow*>&
   return row;
 }
 
-void MessageBar::rebuild() {
-  std::stable_sort(messages_.begin(), messages_.end(),
-                   [](const Message& a, const Message& b) { return a.severity > b.severity; });
-  if (messages_.size() <= kShown) unfolded_ = false;
-  const std::size_t shown = unfolded_ ? messages_.size() : std::min(messages_.size(), kShown);
-  std::vector<MessageRow*> unused = std::exchange(rows_, {});
-  for (std::size_t i = 0; i < shown; ++i) {
-    rows_.push_back(rowFor(messages_[i], unused));
-    const QLayoutItem* there = layout_->itemAt(static_cast<int>(i));
-    if (!there || there->widget() != rows_.back()) layout_->insertWidget(static_cast<int>(i), rows_.back());
+void MessageBar::lay(QVBoxLayout& layout, const std::vector<const Message*>& messages,
+                     std::vector<MessageRow*>& unused) {
+  for (std::size_t i = 0; i < messages.size(); ++i) {
+    MessageRow* row = rowFor(*messages[i], unused);
+    rows_.push_back(row);
+    const QLayoutItem* there = layout.itemAt(static_cast<int>(i));
+    if (!there || there->widget() != row) layout.insertWidget(static_cast<int>(i), row);
+    row->show();
   }
+}
+
+void MessageBar::rebuild() {
+  const auto vanishes = [](const Message& message) { return message.vanishes_after_ms > 0; };
+  // The last one shown is the newest.
+  const auto newest = std::find_if(messages_.rbegin(), messages_.rend(), vanishes);
+  const Message* toast = newest == messages_.rend() ? nullptr : &*newest;
+  std::vector<const Message*> above;
+  for (const Message& message : messages_)
+    if (!overlay_ || !vanishes(message)) above.push_back(&message);
+  const auto rank = [&](const Message* message) {
+    return std::tuple(message->pinned, message == toast, message->severity);
+  };
+  std::stable_sort(above.begin(), above.end(), [&](const Message* a, const Message* b) { return rank(a) > rank(b); });
+  const std::size_t count = above.size();
+  if (count <= kShown) unfolded_ = false;
+  if (!unfolded_) above.resize(std::min(count, kShown));
+  const std::vector<const Message*> over = overlay_ && toast ? std::vector{toast} : std::vector<const Message*>();
+
+  std::vector<MessageRow*> unused = std::exchange(rows_, {});
+  lay(*layout_, above, unused);
+  if (overlay_) lay(overlay_->rows(), over, unused);
   for (MessageRow* row : unused) {
     row->hide();
     layout_->removeWidget(row);
+    if (overlay_) overlay_->rows().removeWidget(row);
     row->deleteLater();  // the button that was pressed may be in it
   }
-  if (messages_.size() > kShown)
-    more_->setText(unfolded_ ? tr("Show fewer") : tr("%n more message(s)", nullptr, int(messages_.size() - shown)));
-  more_->setVisible(messages_.size() > kShown);
-  setVisible(!messages_.empty());
+  if (count > kShown)
+    more_->setText(unfolded_ ? tr("Show fewer") : tr("%n more message(s)", nullptr, int(count - above.size())));
+  more_->setVisible(count > kShown);
+  setVisible(count > 0);
+  if (overlay_) overlay_->settle();
 }
 
 }  // namespace cad2slam

@@ -44,6 +44,12 @@ void MessageRow::setMessage(const Message& message) {
   if (!same_buttons) makeButtons();
 }
 
+int MessageRow::widthOfOneLine() const {
+  constexpr int kSlack_px = 8;  // of the label around its words
+  const int words = text_->fontMetrics().horizontalAdvance(text_->text()) + kSlack_px;
+  return sizeHint().width() - text_->sizeHint().width() + words;
+}
+
 void MessageRow::setSeverity(Severity severity) {
   if (severity_ == severity) return;
   severity_ = severity;

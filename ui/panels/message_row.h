@@ -29,6 +29,7 @@ struct Message {
   QString text;
   std::vector<Cure> cures;
   int vanishes_after_ms = 0;  ///< 0: stays until closed or removed
+  bool pinned = false;        ///< comes before all others and is never folded away
 };
 
 /// One message with its buttons. Another message with the same buttons changes nothing but the words: a button that is
@@ -41,6 +42,8 @@ class MessageRow : public QFrame {
 
   void setMessage(const Message& message);
   [[nodiscard]] const Message& message() const { return message_; }
+  /// [px] with all words in one line.
+  [[nodiscard]] int widthOfOneLine() const;
 
  signals:
   void closed();

@@ -2,9 +2,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/panels/message_bar.h"
 
+#include "ui/panels/toast_overlay.h"
+
 #include <QPushButton>
 #include <QTest>
 #include <QToolButton>
+#include <QVBoxLayout>
 
 using namespace cad2slam;
 
@@ -107,6 +110,59 @@ class MessageBarTest : public QObject {
     bar.show({QStringLiteral("toast"), Severity::kNote, QStringLiteral("deleted"), {}, 1});
     bar.show(finding(QStringLiteral("1"), QStringLiteral("stays")));
     QTRY_COMPARE(shownTexts(bar), QStringList{QStringLiteral("stays")});
+  }
+
+  void newsAndWhatIsPinnedAreNeverFolded() {
+    MessageBar bar;
+    bar.showGroup(group_, {finding(QStringLiteral("1"), QStringLiteral("error"), {}, Severity::kError),
+                           finding(QStringLiteral("2"), QStringLiteral("worse"), {}, Severity::kError)});
+    Message step{QStringLiteral("tour"), Severity::kNote, QStringLiteral("step"), {}, 0};
+    step.pinned = true;
+    bar.show(step);
+    QCOMPARE(shownTexts(bar), (QStringList{QStringLiteral("error"), QStringLiteral("step")}));
+    bar.show({QStringLiteral("old"), Severity::kError, QStringLiteral("old news"), {}, 60'000});
+    bar.show({QStringLiteral("new"), Severity::kNote, QStringLiteral("news"), {}, 60'000});
+    QCOMPARE(shownTexts(bar), (QStringList{QStringLiteral("news"), QStringLiteral("step")}));
+    bar.remove(QStringLiteral("new"));
+    QTRY_COMPARE(shownTexts(bar), (QStringList{QStringLiteral("old news"), QStringLiteral("step")}));
+  }
+
+  void newsOverTheViewsMoveNothing() {
+    QWidget window;
+    window.resize(600, 400);
+    auto* layout = new QVBoxLayout(&window);
+    auto* bar = new MessageBar;
+    auto* views = new QWidget;
+    layout->addWidget(bar);
+    layout->addWidget(views, 1);
+    auto* overlay = new ToastOverlay(*views);
+    bar->setOverlay(overlay);
+    window.show();
+    QVERIFY(QTest::qWaitForWindowExposed(&window));
+    const QRect before = views->geometry();
+    QString cured;
+    bar->show({QStringLiteral("toast"),
+               Severity::kNote,
+               QStringLiteral("Anchor 7 deleted"),
+               {{QStringLiteral("Undo"), [&cured] { cured = QStringLiteral("undone"); }}},
+               60'000});
+    QCoreApplication::processEvents();
+    QVERIFY(overlay->isVisible());
+    QVERIFY(bar->isHidden());
+    QCOMPARE(views->geometry(), before);
+    QVERIFY(before.contains(overlay->geometry()));
+    QCOMPARE(shownTexts(*bar), QStringList());
+    QTest::mouseClick(overlay->findChild<QPushButton*>(), Qt::LeftButton);
+    QCOMPARE(cured, QStringLiteral("undone"));
+    window.resize(500, 300);
+    QTRY_VERIFY(views->geometry().contains(overlay->geometry()));
+    bar->remove(QStringLiteral("toast"));
+    QVERIFY(overlay->isHidden());
+    // What stays is beside it, and a message that changes its kind moves over.
+    bar->show({QStringLiteral("toast"), Severity::kWarning, QStringLiteral("stays"), {}, 0});
+    QCOMPARE(shownTexts(*bar), QStringList{QStringLiteral("stays")});
+    bar->show({QStringLiteral("toast"), Severity::kWarning, QStringLiteral("goes"), {}, 1});
+    QTRY_VERIFY(overlay->isHidden() && bar->isHidden());
   }
 
   void aClosedWarningComesBackWithItsReason() {
