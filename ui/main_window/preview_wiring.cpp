@@ -108,8 +108,11 @@ void PreviewWiring::showBase() {
   // A picture may be there before its frame is.
   const std::shared_ptr<TilePyramid> picture = frame ? session_.rasters().picture(side) : nullptr;
   PreviewView& view = panel_.view();
+  if (picture == base_picture_) {
+    if (frame) view.reframe(*frame);
+    return;
+  }
   if (frame) view.setFrame(*frame);
-  if (picture == base_picture_) return;
   base_picture_ = picture;
   view.clearPicture();
   view.setImage(picture);

@@ -169,8 +169,9 @@ void ViewPair::onNudged(Side side, const QPointF& delta_m, int burst) {
 void ViewPair::onRaster(Side side, bool new_picture) {
   MapView& v = view(side);
   const std::optional<MapFrame>& frame = session_.rasters().frame(side);
-  if (frame) v.setFrame(*frame);
+  if (frame && !new_picture) v.reframe(*frame);
   if (new_picture) {
+    if (frame) v.setFrame(*frame);
     v.setImage(frame ? session_.rasters().picture(side) : nullptr);
     if (frame) v.fit();
   }

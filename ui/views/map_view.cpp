@@ -82,6 +82,20 @@ void MapView::setFrame(const MapFrame& frame) {
   update();
 }
 
+void MapView::reframe(const MapFrame& frame) {
+  if (!frame_) return setFrame(frame);
+  const MapFrame before = *frame_;
+  const Pose2& corner = frame.metricFromCorner();
+  if (frame.resolution() == before.resolution() && corner.translation == before.metricFromCorner().translation &&
+      corner.heading == before.metricFromCorner().heading)
+    return;  // nothing that moves, or was moved by hand, is disturbed
+  setFrame(frame);
+  if (fitted_) return fit();
+  const Eigen::Vector2d middle_px = before.pixelFromMetric(toEigen(state_.center_m));
+  setViewState({toQPointF(frame.metricFromPixel(middle_px)), state_.m_per_px * frame.resolution() / before.resolution(),
+                state_.rotation_rad - (corner.heading - before.metricFromCorner().heading)});
+}
+
 const std::optional<MapFrame>& MapView::frame() const {
   return frame_;
 }

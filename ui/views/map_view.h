@@ -42,6 +42,8 @@ class MapView : public QWidget {
   void setImage(std::shared_ptr<RasterSource> image);
   /// The metric frame of the raster. The view state is kept: call fit() for a new raster.
   void setFrame(const MapFrame& frame);
+  /// Another metric frame for the raster that is shown: the view goes on showing the same part of it.
+  void reframe(const MapFrame& frame);
   [[nodiscard]] const std::optional<MapFrame>& frame() const;
   /// Shown in the drop zone while there is no image.
   void setEmptyText(const QString& text);

@@ -234,6 +234,33 @@ class LookingTest : public QObject {
     QCOMPARE(seen, 10);
   }
 
+  void aRescaledBlueprintShowsTheSamePart() {
+    OfficeWindow office;
+    office.addExact(12);
+    QVERIFY(office.waitUntilSolved());
+    MapView& view = office.window.view(Side::kBlueprint);
+    MapView& preview = office.window.preview().view();
+    QVERIFY(preview.isFitted());
+    view.zoomBy(3.0);
+    view.centerOn(toQPointF(office.pairs[4].in_blueprint), false);
+    const auto corner_px = [](const MapView& of) { return of.imagePixelFromMetres(of.metresFromWidget({0.0, 0.0})); };
+    const QPointF seen = corner_px(view);
+    const QPointF seen_in_preview = corner_px(preview);
+    const auto is_kept = [&] {
+      return QLineF(corner_px(view), seen).length() < 0.01 &&
+             QLineF(corner_px(preview), seen_in_preview).length() < 0.01 && preview.isFitted() && !view.isFitted();
+    };
+    edit::rescaleBlueprint(office.document(), 1.3);
+    QVERIFY(office.waitUntilSolved());
+    QTRY_VERIFY_WITH_TIMEOUT(is_kept(), test::kPatience);
+    office.document().undoStack().undo();
+    QVERIFY(office.waitUntilSolved());
+    QTRY_VERIFY_WITH_TIMEOUT(is_kept(), test::kPatience);
+    office.document().undoStack().redo();
+    QVERIFY(office.waitUntilSolved());
+    QTRY_VERIFY_WITH_TIMEOUT(is_kept(), test::kPatience);
+  }
+
   void scenario27_everyFieldAndButtonHasANameForScreenReaders() {
     OfficeWindow office;
     office.addExact(4);
