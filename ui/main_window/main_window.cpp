@@ -358,13 +358,22 @@ void MainWindow::connectTestPoses() {
   });
   connect(views_, &ViewPair::poseDragged, test_poses_, &TestPoses::drag);
   connect(views_, &ViewPair::poseTurned, test_poses_, &TestPoses::turn);
-  const auto middle = [this] { return blueprint_view_->viewState().center_m; };
-  connect((*actions_)[kTestPose], &QAction::toggled, this,
-          [this, middle](bool on_now) { test_poses_->setRobotVisible(on_now, middle()); });
-  connect((*actions_)[kPlanPath], &QAction::toggled, this, [this, middle](bool on_now) {
+  // Not under an anchor that was just looked at.
+  const auto place = [this](double across) {
+    constexpr double kAway_px = 40.0;
+    const QPointF at(across * blueprint_view_->width(), 0.5 * blueprint_view_->height());
+    return test_poses_->freePlaceNear(blueprint_view_->metresFromWidget(at),
+                                      kAway_px * blueprint_view_->viewState().m_per_px);
+  };
+  connect((*actions_)[kTestPose], &QAction::toggled, this, [this, place](bool on_now) {
+    test_poses_->setRobotVisible(on_now, place(0.5));
+    for (const Side side : {Side::kBlueprint, Side::kSlam})
+      if (const auto robot = test_poses_->robotIn(side); on_now && robot)
+        views_->bringIntoView(side, toQPointF(robot->translation));
+  });
+  connect((*actions_)[kPlanPath], &QAction::toggled, this, [this, place](bool on_now) {
     if (on_now) (*actions_)[kTestPose]->setChecked(true);
-    const QPointF aside(0.75 * blueprint_view_->width(), 0.5 * blueprint_view_->height());
-    test_poses_->setPathVisible(on_now, blueprint_view_->metresFromWidget(aside));
+    test_poses_->setPathVisible(on_now, place(0.75));
   });
   connect((*actions_)[kLoadPoses], &QAction::triggered, this, [this] { askPoses(*this); });
   connect((*actions_)[kPastePoses], &QAction::triggered, this, [this] { pastePoses(*this); });

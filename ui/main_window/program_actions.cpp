@@ -174,8 +174,7 @@ void askTestPose(MainWindow& window) {
   window.actionTable()[ActionId::kTestPose]->setChecked(true);
   for (const Side each : {Side::kBlueprint, Side::kSlam}) {
     const std::optional<Pose2> there = poses.robotIn(each);
-    MapView& view = window.view(each);
-    if (there && !view.isInView(toQPointF(there->translation))) view.centerOn(toQPointF(there->translation), true);
+    if (there) window.views().bringIntoView(each, toQPointF(there->translation));
   }
 }
 

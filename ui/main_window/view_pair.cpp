@@ -284,6 +284,10 @@ void ViewPair::centerOnPlace(Side side, const QPointF& point_m) {
   if (const auto there = session_.carry(side, point_m)) view(otherSide(side)).centerOn(there->point_m, true);
 }
 
+void ViewPair::bringIntoView(Side side, const QPointF& point_m) {
+  if (!view(side).isInView(point_m)) view(side).centerOn(point_m, true);
+}
+
 void ViewPair::setLinked(bool linked) {
   if (linked == linked_) return;
   linked_ = linked;

@@ -32,6 +32,8 @@ class ViewPair : public QObject {
   /// Shows an anchor in the middle of both views, at the zoom they have.
   void centerOn(AnchorId id);
   void centerOnPlace(Side side, const QPointF& point_m);
+  /// Only where it is not there yet.
+  void bringIntoView(Side side, const QPointF& point_m);
   void setMagnification(double factor);
   [[nodiscard]] double magnification() const { return magnification_; }
   void setResidualsVisible(bool visible);

@@ -76,6 +76,40 @@ void TestPoses::setPathVisible(bool visible, const QPointF& where) {
   emit changed();
 }
 
+bool TestPoses::canStandAt(const Eigen::Vector2d& place) const {
+  const auto& grid = session_.rasters().grid(Side::kBlueprint);
+  constexpr int kAround = 12;
+  for (int i = 0; i < kAround; ++i) {
+    const double angle = 2.0 * kPi * i / kAround;
+    const Eigen::Vector2d arm(std::cos(angle), std::sin(angle));
+    for (const double reach : {0.0, 0.5 * kRobotRadius, kRobotRadius})
+      if (grid->at(Eigen::Vector2d(place + reach * arm)) != CellState::kFree) return false;
+  }
+  return true;
+}
+
+QPointF TestPoses::freePlaceNear(const QPointF& where, double away_m) const {
+  if (!session_.rasters().grid(Side::kBlueprint)) return where;
+  std::vector<Eigen::Vector2d> taken;
+  for (const Anchor& anchor : session_.document().anchors()) taken.push_back(anchor.in_blueprint);
+  if (robot_visible_ || path_visible_) taken.push_back(poses_[0].translation);
+  const auto is_near = [&](const Eigen::Vector2d& place) {
+    return std::any_of(taken.begin(), taken.end(),
+                       [&](const Eigen::Vector2d& other) { return (other - place).norm() < away_m; });
+  };
+  constexpr int kRings = 200;
+  const double step = kRobotRadius;
+  for (int ring = 0; ring < kRings; ++ring) {
+    const int places = 1 + 6 * ring;  // about as far from each other as the rings
+    for (int i = 0; i < places; ++i) {
+      const double angle = 2.0 * kPi * i / places;
+      const Eigen::Vector2d place = toEigen(where) + ring * step * Eigen::Vector2d(std::cos(angle), std::sin(angle));
+      if (!is_near(place) && canStandAt(place)) return toQPointF(place);
+    }
+  }
+  return where;
+}
+
 void TestPoses::setRobot(const Pose2& in_blueprint) {
   poses_[0] = in_blueprint;
   placed_[0] = true;

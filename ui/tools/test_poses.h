@@ -32,6 +32,9 @@ class TestPoses : public QObject {
   void setRobotVisible(bool visible, const QPointF& where);
   void setPathVisible(bool visible, const QPointF& where);
   [[nodiscard]] bool isRobotVisible() const { return robot_visible_; }
+  /// The nearest place of the blueprint where a robot can stand, at least `away_m` from every anchor and every shown
+  /// pose; the place itself where there is none.
+  [[nodiscard]] QPointF freePlaceNear(const QPointF& where, double away_m) const;
 
   void drag(Side side, MarkerId id, const QPointF& point_m);
   void turn(Side side, MarkerId id, double heading_rad);
@@ -78,6 +81,7 @@ class TestPoses : public QObject {
   [[nodiscard]] std::optional<Pose2> inBlueprint(Side side, const Pose2& pose) const;  // of a pose in the frame of side
   [[nodiscard]] std::optional<Pose2> carried(const Pose2& pose, Side from, bool& certain) const;
   void plan();
+  [[nodiscard]] bool canStandAt(const Eigen::Vector2d& place) const;
 
   Session& session_;
   std::array<Pose2, 2> poses_;  // robot and goal, blueprint frame

@@ -196,7 +196,8 @@ class MapView : public QWidget {
   };
 
   void paintOverlays(QPainter& painter, const QTransform& widget_from_metres, double px_per_m);
-  void paintPoses(QPainter& painter, const QTransform& widget_from_metres, double px_per_m);
+  /// `to_drag`: those that can be dragged, or else the others.
+  void paintPoses(QPainter& painter, const QTransform& widget_from_metres, double px_per_m, bool to_drag);
   [[nodiscard]] std::vector<SeenMarker> seenMarkers(const QTransform& widget_from_metres) const;
   void paintMarkers(QPainter& painter, const QTransform& widget_from_metres);
   void paintLoupe(QPainter& painter);

@@ -67,8 +67,9 @@ void MapView::paintOverlays(QPainter& painter, const QTransform& widget_from_met
     const QPointF to = widget_from_metres.map(residual.clicked_m);
     marker_painter_.paintResidual(painter, from, from + (to - from) * residual_magnification_, residual.judged);
   }
-  paintPoses(painter, widget_from_metres, px_per_m);
+  paintPoses(painter, widget_from_metres, px_per_m, false);
   if (markers_visible_) paintMarkers(painter, widget_from_metres);
+  paintPoses(painter, widget_from_metres, px_per_m, true);
   if (ghost_) {  // over other anchors: it is what the next key or click is about
     marker_painter_.paintGhost(painter, widget_from_metres.map(ghost_->point_m), ghost_->radius_m * px_per_m,
                                ghost_->text);
@@ -78,11 +79,12 @@ void MapView::paintOverlays(QPainter& painter, const QTransform& widget_from_met
   }
 }
 
-void MapView::paintPoses(QPainter& painter, const QTransform& widget_from_metres, double px_per_m) {
+void MapView::paintPoses(QPainter& painter, const QTransform& widget_from_metres, double px_per_m, bool to_drag) {
   constexpr std::size_t kMany = 300;    // of which no more than their way can be seen
   constexpr double kBeside_px = 120.0;  // handle and text
   const bool many = poses_.size() > kMany;
   for (const PoseGlyph& pose : poses_) {
+    if ((pose.id != kNoMarker) != to_drag) continue;
     const QPointF at = widget_from_metres.map(pose.point_m);
     const double reach = kBeside_px + pose.radius_m * px_per_m;
     if (!QRectF(rect()).adjusted(-reach, -reach, reach, reach).contains(at)) continue;

@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: 2026 The CAD2SLAM authors
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/main_window/main_window.h"
+
+#include "ui/support/documents.h"
+#include "ui/support/office_window.h"
+#include "ui/tools/test_poses.h"
+
+using namespace cad2slam;
+using test::OfficeWindow;
+
+class MainWindowTest : public QObject {
+  Q_OBJECT
+
+ private:
+  std::optional<test::Sandbox> sandbox_;
+
+ private slots:
+  void init() { sandbox_.emplace(); }
+
+  void theRobotStandsWhereItCanBeTaken() {
+    OfficeWindow office;
+    office.addExact(8);
+    QVERIFY(office.waitUntilSolved());
+    // As after a double click on an anchor's row.
+    office.session().selection().set({3});
+    MapView& blueprint = office.window.view(Side::kBlueprint);
+    MapView& slam = office.window.view(Side::kSlam);
+    blueprint.zoomBy(8.0);
+    blueprint.centerOn(toQPointF(office.pairs[2].in_blueprint), false);
+    slam.zoomBy(8.0);
+    slam.centerOn(toQPointF(office.pairs[7].in_slam), false);
+    office.window.actionTable()[ActionId::kTestPose]->setChecked(true);
+    TestPoses& poses = office.window.testPoses();
+    const Pose2 robot = poses.robot();
+    QVERIFY((robot.translation - office.pairs[2].in_blueprint).norm() > 30.0 * blueprint.viewState().m_per_px);
+    QVERIFY(office.session().rasters().grid(Side::kBlueprint)->at(robot.translation) == CellState::kFree);
+    for (const Side side : {Side::kBlueprint, Side::kSlam})
+      QTRY_VERIFY_WITH_TIMEOUT(office.window.view(side).isInView(toQPointF(poses.robotIn(side)->translation), 0.0),
+                               test::kPatience);
+    // Dragged from right over an anchor it is the robot that moves.
+    poses.setRobot({office.pairs[2].in_blueprint, 0.0});
+    const std::string before = test::fingerprint(office.document());
+    const QPoint from = blueprint.widgetFromMetres(toQPointF(office.pairs[2].in_blueprint)).toPoint();
+    QTest::mousePress(&blueprint, Qt::LeftButton, {}, from);
+    for (int step = 1; step <= 5; ++step) QTest::mouseMove(&blueprint, from + QPoint(8 * step, 4 * step));
+    QTest::mouseRelease(&blueprint, Qt::LeftButton, {}, from + QPoint(40, 20));
+    QCOMPARE(test::fingerprint(office.document()), before);
+    QVERIFY((poses.robot().translation - office.pairs[2].in_blueprint).norm() > 1e-3);
+  }
+};
+
+QTEST_MAIN(MainWindowTest)
+#include "main_window_test.moc"
