@@ -34,8 +34,52 @@ struct Patch {
   std::optional<MapFrame> frame;
 };
 
-/// `area` in pixels of level 0; `scale` = pixels of the raster for each pixel of the picture.
-Patch readPatch(const PreviewRaster& raster, const QRectF& area, double scale) {
+cv::Mat greyOf(const cv::Mat& pixels) {
+  if (pixels.channels() == 1) return pixels;
+  cv::Mat grey;
+  cv::cvtColor(pixels, grey, cv::COLOR_BGRA2GRAY);
+  return grey;
+}
+
+/// For each grey value how much ink it takes: black for all, white for none. 1 x 256 bytes.
+using Inking = cv::Mat;
+
+/// Half the size, rounded up; of four pixels the darkest.
+cv::Mat darkestOfFour(const cv::Mat& grey) {
+  cv::Mat half((grey.rows + 1) / 2, (grey.cols + 1) / 2, CV_8UC1);
+  for (int row = 0; row < half.rows; ++row) {
+    const uchar* upper = grey.ptr(2 * row);
+    const uchar* lower = grey.ptr(std::min(2 * row + 1, grey.rows - 1));
+    uchar* out = half.ptr(row);
+    const int pairs = grey.cols / 2;
+    for (int x = 0; x < pairs; ++x) {
+      const uchar left = std::min(upper[2 * x], lower[2 * x]);
+      const uchar right = std::min(upper[2 * x + 1], lower[2 * x + 1]);
+      out[x] = std::min(left, right);
+    }
+    if (pairs < half.cols) out[pairs] = std::min(upper[grey.cols - 1], lower[grey.cols - 1]);
+  }
+  return half;
+}
+
+/// A piece of a level as ink. Walls of one pixel between white and grey are lost in the mean of a few levels, being as
+/// grey as the ground; so what is ink is seen on finer pixels, and the ink is made smaller.
+cv::Mat inkRegion(TileStore& tiles, int level, const cv::Rect& rect, const Inking& inking) {
+  constexpr int kFiner = 2;                  // levels; tells apart what is mixed in the next two
+  constexpr double kMostPixels = 8'000'000;  // that are looked at for one picture
+  int finer = 0;
+  while (finer < std::min(kFiner, level) && static_cast<double>(rect.area()) * (4 << 2 * finer) <= kMostPixels) ++finer;
+  const cv::Rect fine(rect.x << finer, rect.y << finer, rect.width << finer, rect.height << finer);
+  const cv::Mat grey = greyOf(tiles.region(level - finer, fine, kPaper));
+  cv::Mat ink;
+  cv::LUT(grey, inking, ink);
+  for (int i = 0; i < finer; ++i) ink = darkestOfFour(ink);
+  return ink;
+}
+
+/// `area` in pixels of level 0; `scale` = pixels of the raster for each pixel of the picture. With `inking` the pixels
+/// are ink.
+Patch readPatch(const PreviewRaster& raster, const QRectF& area, double scale, const Inking* inking = nullptr) {
   Patch patch;
   int level = RasterLayer::levelForScale(1.0 / scale, raster.tiles->levels());
   while (level + 1 < raster.tiles->levels() &&
@@ -52,7 +96,8 @@ Patch readPatch(const PreviewRaster& raster, const QRectF& area, double scale) {
   const int right = clampedTo(area.right() * shrink + 3.0, size.width);
   const int bottom = clampedTo(area.bottom() * shrink + 3.0, size.height);
   if (right <= left || bottom <= top) return patch;
-  patch.pixels = raster.tiles->region(level, cv::Rect(left, top, right - left, bottom - top), kPaper);
+  const cv::Rect rect(left, top, right - left, bottom - top);
+  patch.pixels = inking ? inkRegion(*raster.tiles, level, rect, *inking) : raster.tiles->region(level, rect, kPaper);
   if (patch.pixels.empty()) return patch;
   const double grow = 1 << level;
   const Vector2d corner = raster.frame->metricFromPixel({left * grow, bottom * grow});
@@ -62,15 +107,8 @@ Patch readPatch(const PreviewRaster& raster, const QRectF& area, double scale) {
   return patch;
 }
 
-cv::Mat greyOf(const cv::Mat& pixels) {
-  if (pixels.channels() == 1) return pixels;
-  cv::Mat grey;
-  cv::cvtColor(pixels, grey, cv::COLOR_BGRA2GRAY);
-  return grey;
-}
-
-/// Grey pixels of the base as the view shows them.
-cv::Mat drawBase(const PreviewRaster& base, const MapFrame& view) {
+/// Ink of the base as the view shows it.
+cv::Mat drawBase(const PreviewRaster& base, const MapFrame& view, const Inking& inking) {
   QRectF area;
   for (const Vector2d& corner :
        {Vector2d(0, 0), Vector2d(view.width(), 0), Vector2d(0, view.height()), Vector2d(view.width(), view.height())}) {
@@ -79,7 +117,7 @@ cv::Mat drawBase(const PreviewRaster& base, const MapFrame& view) {
     area = area.isNull() ? dot : area.united(dot);
   }
   cv::Mat picture(view.height(), view.width(), CV_8UC1, cv::Scalar(kPaper));
-  const Patch patch = readPatch(base, area, view.resolution() / base.frame->resolution());
+  const Patch patch = readPatch(base, area, view.resolution() / base.frame->resolution(), &inking);
   if (!patch.frame) return picture;
   const auto patchFromView = [&](double x, double y) {
     const Vector2d pixel = patch.frame->pixelFromMetric(view.metricFromPixel({x + 0.5, y + 0.5}));
@@ -133,12 +171,13 @@ bool sourceArea(const PreviewLayer& layer, WarpDirection direction, const MapFra
   return *scale > 0.0 && std::isfinite(*scale);
 }
 
-/// Grey and coverage of a layer as the view shows it; CV_8UC2, empty when nothing of it is in view.
-Result<cv::Mat> drawLayer(const PreviewLayer& layer, WarpDirection direction, const MapFrame& view) {
+/// Grey, or ink, and coverage of a layer as the view shows it; CV_8UC2, empty when nothing of it is in view.
+Result<cv::Mat> drawLayer(const PreviewLayer& layer, WarpDirection direction, const MapFrame& view,
+                          const Inking* inking = nullptr) {
   QRectF area;
   double scale = 1.0;
   if (!sourceArea(layer, direction, view, &area, &scale)) return cv::Mat();
-  const Patch patch = readPatch(layer.raster, area, scale);
+  const Patch patch = readPatch(layer.raster, area, scale, inking);
   if (!patch.frame) return cv::Mat();
   const cv::Mat grey = greyOf(patch.pixels);
   cv::Mat with_coverage;
@@ -184,31 +223,31 @@ double paperFrom(TileStore& tiles) {
   return static_cast<double>(most - counts.begin()) - 10.0;
 }
 
-/// Part of the full ink that each grey value takes: none for paper, all for black.
-std::array<float, 256> inkAmounts(double paper_from) {
+Inking inkingOf(TileStore& tiles) {
   constexpr double kFullInk = 20.0;
-  std::array<float, 256> amounts{};
-  for (std::size_t grey = 0; grey < amounts.size(); ++grey) {
-    const double amount = (paper_from - static_cast<double>(grey)) / (paper_from - kFullInk);
-    amounts[grey] = static_cast<float>(std::clamp(amount, 0.0, 1.0));
+  const double paper_from = paperFrom(tiles);
+  Inking inking(1, 256, CV_8UC1);
+  for (int grey = 0; grey < inking.cols; ++grey) {
+    const double amount = (paper_from - grey) / (paper_from - kFullInk);
+    inking.at<uchar>(grey) = static_cast<uchar>(std::lround(255.0 * (1.0 - std::clamp(amount, 0.0, 1.0))));
   }
-  return amounts;
+  return inking;
 }
 
 /// Lays one ink over the paper, multiplying, so that several make a dark place where they meet.
-void layInk(cv::Mat& paper, const cv::Mat& grey, const cv::Mat& coverage, const QColor& ink, double paper_from) {
-  const std::array<float, 256> amounts = inkAmounts(paper_from);
+void layInk(cv::Mat& paper, const cv::Mat& amounts, const cv::Mat& coverage, const QColor& ink) {
   std::array<cv::Vec3b, 256> factors;
   const std::array<int, 3> color{ink.blue(), ink.green(), ink.red()};
   for (std::size_t value = 0; value < factors.size(); ++value) {
     for (int c = 0; c < 3; ++c) {
-      const double kept = 255.0 - static_cast<double>(amounts[value]) * (255 - color[static_cast<std::size_t>(c)]);
+      const double amount = 1.0 - static_cast<double>(value) / 255.0;
+      const double kept = 255.0 - amount * (255 - color[static_cast<std::size_t>(c)]);
       factors[value][c] = static_cast<uchar>(std::lround(kept));
     }
   }
   cv::parallel_for_(cv::Range(0, paper.rows), [&](const cv::Range& range) {
     for (int row = range.start; row < range.end; ++row) {
-      const uchar* value = grey.ptr(row);
+      const uchar* value = amounts.ptr(row);
       const uchar* covered = coverage.empty() ? nullptr : coverage.ptr(row);
       auto* pixel = paper.ptr<cv::Vec4b>(row);
       for (int column = 0; column < paper.cols; ++column) {
@@ -223,17 +262,18 @@ void layInk(cv::Mat& paper, const cv::Mat& grey, const cv::Mat& coverage, const 
 
 Result<QImage> drawInks(const PreviewScene& scene, const MapFrame& view) {
   cv::Mat paper(view.height(), view.width(), CV_8UC4, cv::Scalar::all(255));
-  layInk(paper, drawBase(scene.base, view), cv::Mat(), scene.base_ink, paperFrom(*scene.base.tiles));
+  layInk(paper, drawBase(scene.base, view, inkingOf(*scene.base.tiles)), cv::Mat(), scene.base_ink);
   for (const PreviewLayer& layer : scene.layers) {
     if (!layer.raster.isUsable()) continue;
-    Result<cv::Mat> drawn = drawLayer(layer, scene.direction, view);
+    const Inking inking = inkingOf(*layer.raster.tiles);
+    Result<cv::Mat> drawn = drawLayer(layer, scene.direction, view, &inking);
     if (!drawn) return failAs(drawn);
     if (drawn->empty()) continue;
-    cv::Mat grey;
+    cv::Mat amounts;
     cv::Mat coverage;
-    cv::extractChannel(*drawn, grey, 0);
+    cv::extractChannel(*drawn, amounts, 0);
     cv::extractChannel(*drawn, coverage, 1);
-    layInk(paper, grey, coverage, layer.ink, paperFrom(*layer.raster.tiles));
+    layInk(paper, amounts, coverage, layer.ink);
   }
   return toImage(paper, QImage::Format_RGB32);
 }

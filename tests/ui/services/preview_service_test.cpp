@@ -114,6 +114,36 @@ class PreviewServiceTest : public QObject {
     }
   }
 
+  void thinWallsKeepTheirInkHoweverSmall_data() {
+    QTest::addColumn<int>("px_per_view_px");
+    for (const int count : {1, 2, 3, 4, 6}) QTest::addRow("1 : %d", count) << count;
+  }
+  void thinWallsKeepTheirInkHoweverSmall() {
+    QFETCH(int, px_per_view_px);
+    // A hall in grey ground, its wall one pixel wide, as plans of some programs have it.
+    World world;
+    world.blueprint = cv::Mat(1920, 2400, CV_8UC1, cv::Scalar(125));
+    const cv::Rect hall(333, 217, 1501, 1203);
+    cv::rectangle(world.blueprint, hall, cv::Scalar(255), cv::FILLED);
+    cv::rectangle(world.blueprint, hall, cv::Scalar(0), 1);
+    world.blueprint_frame = test::frameOf(world.blueprint, kResolution);
+    const auto scene = world.scene(WarpDirection::kToBlueprint);
+    const Vector2d on_wall = world.blueprint_frame.metricFromPixel({333.5, 800.5});
+    const ViewState state{toQPointF(on_wall), kResolution * px_per_view_px, 0.0};
+    const Result<PreviewPicture> picture = renderPreview(requestFor(scene, PreviewKind::kInks, state));
+    QVERIFY(picture.has_value());
+    const int row = picture->image.height() / 2;
+    int darkest = 255;
+    int inked = 0;
+    for (int column = -8; column < 8; ++column) {
+      const int green = qGreen(picture->image.pixel(picture->image.width() / 2 + column, row));
+      darkest = std::min(darkest, green);
+      inked += green < 230 ? 1 : 0;
+    }
+    QVERIFY2(darkest < 170, qPrintable(QString::number(darkest)));  // full ink has none of it
+    QVERIFY2(inked <= 4, qPrintable(QString::number(inked)));       // and the wall stays a line
+  }
+
   void nothingBeyondTheReachOfTheMesh() {
     const World world;
     const ViewState state{{25.0, 8.0}, 0.05, 0.0};
