@@ -2512,6 +2512,18 @@
         <source>After half a turn the anchors would fit as well: make sure that the SLAM map is the right way round, and add an anchor that has none opposite</source>
         <translation>Nach einer halben Drehung würden die Anker genauso passen: prüfen Sie, ob die SLAM-Karte richtig herum liegt, und setzen Sie einen Anker, dem keiner gegenüberliegt</translation>
     </message>
+    <message>
+        <source>This SLAM map is %1 % too large: %2 agrees with the blueprint</source>
+        <translation>Diese SLAM-Karte ist %1 % zu groß: %2 stimmt mit dem Bauplan überein</translation>
+    </message>
+    <message>
+        <source>This SLAM map is %1 % too small: %2 agrees with the blueprint</source>
+        <translation>Diese SLAM-Karte ist %1 % zu klein: %2 stimmt mit dem Bauplan überein</translation>
+    </message>
+    <message>
+        <source>Blueprint %1 m, SLAM map %2 m between the two anchors (%3 %), but %4 agrees with the blueprint: check the two anchors, or this SLAM map is not to scale</source>
+        <translation>Bauplan %1 m, SLAM-Karte %2 m zwischen den beiden Ankern (%3 %), aber %4 stimmt mit dem Bauplan überein: prüfen Sie die beiden Anker, oder diese SLAM-Karte ist nicht maßstäblich</translation>
+    </message>
 </context>
 <context>
     <name>cad2slam::ExportDialog</name>

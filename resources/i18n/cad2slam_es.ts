@@ -2512,6 +2512,18 @@
         <source>After half a turn the anchors would fit as well: make sure that the SLAM map is the right way round, and add an anchor that has none opposite</source>
         <translation>Tras media vuelta las anclas encajarían igual: compruebe que el mapa SLAM está bien orientado y añada un ancla que no tenga otra enfrente</translation>
     </message>
+    <message>
+        <source>This SLAM map is %1 % too large: %2 agrees with the blueprint</source>
+        <translation>Este mapa SLAM es un %1 % demasiado grande: %2 concuerda con el plano</translation>
+    </message>
+    <message>
+        <source>This SLAM map is %1 % too small: %2 agrees with the blueprint</source>
+        <translation>Este mapa SLAM es un %1 % demasiado pequeño: %2 concuerda con el plano</translation>
+    </message>
+    <message>
+        <source>Blueprint %1 m, SLAM map %2 m between the two anchors (%3 %), but %4 agrees with the blueprint: check the two anchors, or this SLAM map is not to scale</source>
+        <translation>Plano %1 m, mapa SLAM %2 m entre las dos anclas (%3 %), pero %4 concuerda con el plano: revise las dos anclas, o este mapa SLAM no está a escala</translation>
+    </message>
 </context>
 <context>
     <name>cad2slam::ExportDialog</name>

@@ -120,7 +120,7 @@ class Diagnosis {
     if (in_blueprint < kCloseShare * input_.blueprint_diagonal_m)
       return add({Kind::kClose, both, in_blueprint, 0.0, farthestNode()});
     if (input_.scale.rule == ScaleRule::kToScale && in_blueprint > 0.0)
-      add({Kind::kLengths, both, in_blueprint, in_slam, {}});
+      add({Kind::kLengths, both, in_blueprint, in_slam, {}, Side::kBlueprint, agreeingMap()});
   }
 
   /// Where another anchor would tell most: the node that is farthest from all anchors.
@@ -266,7 +266,23 @@ class Diagnosis {
     const double independent = std::max(1.0, static_cast<double>(pairs_.size()) / kNeighbours);
     const double sigma =
         median(residuals) / std::sqrt(spread / static_cast<double>(pairs_.size())) / std::sqrt(independent);
-    if (std::abs(robust.scale - 1.0) > kScaleSigmas * sigma) add({Kind::kScale, {}, robust.scale, sigma, {}});
+    if (std::abs(robust.scale - 1.0) > kScaleSigmas * sigma)
+      add({Kind::kScale, {}, robust.scale, sigma, {}, Side::kBlueprint, agreeingMap()});
+  }
+
+  /// Another SLAM map whose anchors say that the blueprint is true to scale: then it is this map that is not, and to
+  /// rescale the blueprint would only move the fault.
+  [[nodiscard]] std::string agreeingMap() const {
+    for (const auto& [name, anchors] : input_.others) {
+      std::vector<PointPair> pairs;
+      for (const Anchor& anchor : anchors)
+        if (anchor.enabled && isUsable(anchor.in_blueprint) && isUsable(anchor.in_slam))
+          pairs.push_back({anchor.in_blueprint, anchor.in_slam});
+      if (pairs.size() < 3) continue;
+      const Result<Similarity2> fit = fitSimilarityRobust(pairs, std::nullopt);
+      if (fit && std::abs(fit->scale - 1.0) < kScaleTolerance) return name;
+    }
+    return {};
   }
 
   void findFolds() {

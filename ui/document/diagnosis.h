@@ -9,6 +9,8 @@
 #include "ui/document/room_map.h"
 
 #include <optional>
+#include <string>
+#include <utility>
 #include <vector>
 
 namespace cad2slam {
@@ -16,16 +18,16 @@ namespace cad2slam {
 /// Something the installer should know, as values; diagnosis_messages.h puts it into words.
 struct Finding {
   enum class Kind {
-    kDuplicate,         ///< two anchors share one place on one side and disagree on the other; value: how far [m]
-    kMirrored,          ///< a mirrored blueprint would fit much better; value: RMS now, other: RMS mirrored [m]
-    kSwapped,           ///< two anchors fit with exchanged counterparts; value: RMS now, other: RMS swapped [m]
-    kOutlier,           ///< one anchor does not fit the others; value: by how much [m]
-    kFolded,            ///< the mesh turns over near these anchors; value: number of tiles
-    kScale,             ///< value: SLAM metres per blueprint metre; other: standard deviation of it
-    kLengths,           ///< what just two anchors say of it, right or wrong; value: blueprint [m], other: SLAM map [m]
-    kClose,             ///< two anchors too near to each other for a rotation; value: distance [m]; place: far away
-    kCollinear,         ///< all anchors on one line; place: farthest beside it
-    kOneRoom,           ///< all anchors in one room; place: the largest of the others
+    kDuplicate,  ///< two anchors share one place on one side and disagree on the other; value: how far [m]
+    kMirrored,   ///< a mirrored blueprint would fit much better; value: RMS now, other: RMS mirrored [m]
+    kSwapped,    ///< two anchors fit with exchanged counterparts; value: RMS now, other: RMS swapped [m]
+    kOutlier,    ///< one anchor does not fit the others; value: by how much [m]
+    kFolded,     ///< the mesh turns over near these anchors; value: number of tiles
+    kScale,      ///< value: SLAM metres per blueprint metre; other: standard deviation of it; agrees
+    kLengths,    ///< what just two anchors say of it, right or wrong; value: blueprint [m], other: SLAM map [m]; agrees
+    kClose,      ///< two anchors too near to each other for a rotation; value: distance [m]; place: far away
+    kCollinear,  ///< all anchors on one line; place: farthest beside it
+    kOneRoom,    ///< all anchors in one room; place: the largest of the others
     kEmptyRooms,        ///< rooms without anchor; value: how many, place: in the largest
     kSimilarityEnough,  ///< bending gains nothing; value: median error without bending [m]
     kOutsideImage,      ///< these anchors lie beside the image of a side
@@ -39,6 +41,7 @@ struct Finding {
   double other = 0.0;
   std::optional<Eigen::Vector2d> place;  ///< [m] blueprint frame
   Side side = Side::kBlueprint;          ///< of kOutsideImage and kUnknownGround
+  std::string agrees;                    ///< another SLAM map to which the blueprint is true to scale, or empty
 };
 
 /// Part by which a scale may be off without being called wrong.
@@ -61,6 +64,8 @@ struct DiagnosisInput {
   const Projector* projector = nullptr;
   const std::vector<Eigen::Vector2d>* nodes = nullptr;  ///< rest places of the mesh, blueprint frame [m]
   const RoomMap* rooms = nullptr;
+  /// SLAM maps of the same blueprint that are not being edited, with their anchors.
+  std::vector<std::pair<std::string, AnchorList>> others;
 };
 
 /// What is wrong or could be better, most serious first. Only enabled anchors count. Takes milliseconds with hundreds

@@ -115,6 +115,8 @@ void DiagnosisMessages::ask() {
   request.input.blueprint_m_per_px = blueprint.resolution();
   request.input.blueprint_diagonal_m = blueprint.diagonal();
   request.input.scale = document.project().settings.scale;
+  for (const ProjectSlamMap& map : document.project().slam_maps)
+    if (map.name != document.currentMapName()) request.input.others.emplace_back(map.name, map.anchors);
   if (session_.alignment().isCurrent()) {
     request.result = session_.alignment().result();
     request.input.solution = &request.result->solution;
@@ -240,6 +242,13 @@ Message DiagnosisMessages::messageOf(const Finding& finding) {
       break;
     case Kind::kScale:
       message.severity = std::abs(finding.value - 1.0) > 0.1 ? Severity::kError : Severity::kWarning;
+      if (!finding.agrees.empty()) {
+        message.severity = Severity::kWarning;
+        message.text = (finding.value > 1.0 ? tr("This SLAM map is %1 % too large: %2 agrees with the blueprint")
+                                            : tr("This SLAM map is %1 % too small: %2 agrees with the blueprint"))
+                           .arg(percent(finding.value), toQString(finding.agrees));
+        break;
+      }
       message.text = finding.value > 1.0 ? tr("The blueprint is %1 % too small for the SLAM map: its scale is wrong")
                                                .arg(percent(1.0 / finding.value))
                                          : tr("The blueprint is %1 % too large for the SLAM map: its scale is wrong")
@@ -251,6 +260,13 @@ Message DiagnosisMessages::messageOf(const Finding& finding) {
       const double off = std::abs(ratio - 1.0);
       const bool wrong = off > kScaleTolerance;
       message.severity = off > 0.1 ? Severity::kError : wrong ? Severity::kWarning : Severity::kNote;
+      if (wrong && !finding.agrees.empty()) {
+        message.text = tr("Blueprint %1 m, SLAM map %2 m between the two anchors (%3 %), but %4 agrees with the "
+                          "blueprint: check the two anchors, or this SLAM map is not to scale")
+                           .arg(numberText(finding.value, 2), numberText(finding.other, 2), percent(ratio),
+                                toQString(finding.agrees));
+        break;
+      }
       message.text =
           (wrong ? tr("Blueprint %1 m, SLAM map %2 m between the two anchors (%3 %): check the scale of the blueprint")
                  : tr("Blueprint %1 m, SLAM map %2 m between the two anchors (%3 %): the scale of the blueprint fits"))

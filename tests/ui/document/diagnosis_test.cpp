@@ -94,6 +94,21 @@ class DiagnosisTest : public QObject {
     QVERIFY(!find(diagnose(unknown), Kind::kScale));
   }
 
+  void aMapThatDisagreesWithTheBlueprintAndAnotherMapIsTheOneThatIsWrong() {
+    Similarity2 small = kTurned;
+    small.scale = 0.966;
+    DiagnosisInput input = inputOf(building(12, small));
+    const Similarity2 straight{1.0, 0.1, {2.0, 3.0}};
+    input.others = {{"empty", {}}, {"as wrong", building(6, small)}};
+    QVERIFY(find(diagnose(input), Kind::kScale)->agrees.empty());
+    input.others.emplace_back("Robot 1", building(6, straight));
+    QCOMPARE(find(diagnose(input), Kind::kScale)->agrees, std::string("Robot 1"));
+    input.anchors.resize(2);
+    QCOMPARE(find(diagnose(input), Kind::kLengths)->agrees, std::string("Robot 1"));
+    for (Anchor& anchor : input.others.back().second) anchor.enabled = false;
+    QVERIFY(find(diagnose(input), Kind::kLengths)->agrees.empty());
+  }
+
   void scenario12_mirrored() {
     AnchorList anchors = building(6, kTurned);
     for (Anchor& anchor : anchors) anchor.in_blueprint.x() = 40.0 - anchor.in_blueprint.x();

@@ -205,6 +205,17 @@ class CheckingTest : public QObject {
     QTRY_VERIFY_WITH_TIMEOUT(!office.finding(Kind::kScale), test::kPatience);
   }
 
+  void scenario12_theBlueprintIsNotBlamedForOneSlamMap() {
+    OfficeWindow office(false);
+    QVERIFY(office.openSolved(OfficeWindow::sample("office.c2sproj")));
+    office.document().setCurrentMap("Robot 2");
+    QVERIFY(office.waitUntilReady());
+    QVERIFY(office.waitForFinding(Kind::kScale));
+    QCOMPARE(office.finding(Kind::kScale)->agrees, std::string("Robot 1"));
+    QVERIFY(!office.pressCure(QStringLiteral("diagnosis-"), QStringLiteral("Rescale")));
+    QVERIFY(!office.window.diagnosis().sentences(Severity::kWarning).filter(QStringLiteral("Robot 1")).isEmpty());
+  }
+
   void scenario12_aSlamMapThatIsTurnedIsNoMistake() {
     OfficeWindow office;
     for (std::size_t i = 0; i < 10; ++i)
