@@ -46,6 +46,13 @@ ScaleDialog::ScaleDialog(QWidget* parent, const std::filesystem::path& image, Si
   connect(picture_.get(), &TilePyramid::failed, this,
           [this](const QString& sentence) { measured_->setText(sentence); });
   connect(view_, &MapView::clicked, this, [this](const QPointF& point) { onClicked(point); });
+  connect(view_, &MapView::dragStarted, this, [this] { ends_before_drag_px_ = ends_px_; });
+  connect(view_, &MapView::dragMoved, this, &ScaleDialog::moveEnd);
+  connect(view_, &MapView::dragFinished, this, &ScaleDialog::moveEnd);
+  connect(view_, &MapView::dragCancelled, this, [this] {
+    ends_px_ = ends_before_drag_px_;
+    refresh();
+  });
   connect(view_, &MapView::cancelRequested, this, [this] {
     ends_px_.clear();
     refresh();
@@ -91,7 +98,14 @@ std::optional<double> ScaleDialog::ask(QWidget* parent, const std::filesystem::p
 void ScaleDialog::onClicked(const QPointF& point) {
   if (ends_px_.size() == 2) ends_px_.clear();
   ends_px_.push_back(point);
-  if (ends_px_.size() == 2) length_->setFocus();
+  refresh();
+  if (ends_px_.size() == 2) length_->setFocus();  // after it can be typed into
+}
+
+void ScaleDialog::moveEnd(MarkerId id, const QPointF& point) {
+  const auto at = static_cast<std::size_t>(id);
+  if (id < 0 || at >= ends_px_.size()) return;
+  ends_px_[at] = point;
   refresh();
 }
 

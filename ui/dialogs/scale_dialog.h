@@ -35,6 +35,7 @@ class ScaleDialog : public QDialog {
 
  private:
   void onClicked(const QPointF& point);
+  void moveEnd(MarkerId id, const QPointF& point);
   void refresh();
 
   std::shared_ptr<TilePyramid> picture_;
@@ -45,6 +46,7 @@ class ScaleDialog : public QDialog {
   QLabel* extent_;
   QPushButton* ok_;
   std::vector<QPointF> ends_px_;  // at most two, pixels of the picture with y up
+  std::vector<QPointF> ends_before_drag_px_;
 };
 
 }  // namespace cad2slam
