@@ -2731,6 +2731,10 @@
         <source>Without itself, an anchor is typically %1 off; %2 anchors are used, RMS of the residuals %3</source>
         <translation>Ohne sich selbst liegt ein Anker meist %1 daneben; %2 Anker werden benutzt, quadratisches Mittel der Restfehler %3</translation>
     </message>
+    <message>
+        <source>The project has changes that are not saved</source>
+        <translation>Das Projekt hat Änderungen, die nicht gespeichert sind</translation>
+    </message>
 </context>
 <context>
     <name>cad2slam::MainWindow</name>

@@ -2731,6 +2731,10 @@
         <source>Without itself, an anchor is typically %1 off; %2 anchors are used, RMS of the residuals %3</source>
         <translation>Sin ella misma, un ancla queda normalmente a %1; se usan %2 anclas, RMS de los residuos %3</translation>
     </message>
+    <message>
+        <source>The project has changes that are not saved</source>
+        <translation>El proyecto tiene cambios sin guardar</translation>
+    </message>
 </context>
 <context>
     <name>cad2slam::MainWindow</name>

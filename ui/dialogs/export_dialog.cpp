@@ -37,12 +37,11 @@ ExportDialog::ExportDialog(QWidget* parent, const std::vector<ExportCheck>& chec
   list->setColumnStretch(1, 1);
   for (const ExportCheck& check : checks) {
     const int row = list->rowCount();
-    const char16_t* sign = check.verdict == Verdict::kGood ? u"✓" : check.verdict == Verdict::kWarning ? u"▲" : u"■";
-    const char* color = check.verdict == Verdict::kGood      ? "#00796b"
-                        : check.verdict == Verdict::kWarning ? "#b26a00"
-                                                             : "#c2185b";
-    auto* mark = new QLabel(QString::fromUtf16(sign), this);
-    mark->setStyleSheet(QStringLiteral("color: %1").arg(QLatin1String(color)));
+    static constexpr const char16_t* kSigns[] = {u"✓", u"ℹ", u"▲", u"■"};
+    static constexpr const char* kColors[] = {"#00796b", "#2a78c8", "#b26a00", "#c2185b"};
+    const auto at = static_cast<std::size_t>(check.verdict);
+    auto* mark = new QLabel(QString::fromUtf16(kSigns[at]), this);
+    mark->setStyleSheet(QStringLiteral("color: %1").arg(QLatin1String(kColors[at])));
     auto* sentence = new QLabel(check.sentence, this);
     sentence->setTextFormat(Qt::PlainText);
     sentence->setWordWrap(true);
@@ -53,7 +52,10 @@ ExportDialog::ExportDialog(QWidget* parent, const std::vector<ExportCheck>& chec
   auto* buttons = new QDialogButtonBox(refused ? QDialogButtonBox::Close : QDialogButtonBox::Cancel, this);
   if (!refused) {
     auto* go = buttons->addButton(warned ? tr("Export &anyway...") : tr("&Export..."), QDialogButtonBox::AcceptRole);
-    go->setDefault(!warned);
+    // Without another default the first button that accepts would be it.
+    QPushButton* default_button = warned ? buttons->button(QDialogButtonBox::Cancel) : go;
+    default_button->setDefault(true);
+    default_button->setFocus();
   }
   connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);

@@ -11,12 +11,13 @@ namespace cad2slam {
 
 /// One line of the list that is shown before a projector is written.
 struct ExportCheck {
-  enum class Verdict { kGood, kWarning, kRefused };
+  enum class Verdict { kGood, kNote, kWarning, kRefused };
   Verdict verdict = Verdict::kGood;
   QString sentence;
 };
 
-/// The check-list before a projector is written. A refusal has no way around, a warning has "export anyway".
+/// The check-list before a projector is written. A refusal has no way around, a warning has "export anyway",
+/// which is never what Enter does.
 class ExportDialog : public QDialog {
   Q_OBJECT
 

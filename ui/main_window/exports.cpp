@@ -136,6 +136,8 @@ std::vector<ExportCheck> exportChecks(Session& session, const QStringList& findi
         {Verdict::kWarning, Exports::tr("One half anchor is still waiting for its counterpart and is left out")});
   for (const std::string& warning : result->solution.warnings)
     checks.push_back({Verdict::kWarning, translatedSentence(warning)});
+  if (session.document().isModified())
+    checks.push_back({Verdict::kNote, Exports::tr("The project has changes that are not saved")});
   return checks;
 }
 

@@ -1,0 +1,45 @@
+// SPDX-FileCopyrightText: 2026 The CAD2SLAM authors
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/dialogs/export_dialog.h"
+
+#include <QPushButton>
+#include <QTest>
+
+using namespace cad2slam;
+using Verdict = ExportCheck::Verdict;
+
+class ExportDialogTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void enterExportsOnlyWhereNothingSpeaksAgainstIt_data() {
+    QTest::addColumn<Verdict>("verdict");
+    QTest::addColumn<bool>("exported");
+    QTest::newRow("good") << Verdict::kGood << true;
+    QTest::newRow("note") << Verdict::kNote << true;
+    QTest::newRow("warning") << Verdict::kWarning << false;
+    QTest::newRow("refused") << Verdict::kRefused << false;
+  }
+  void enterExportsOnlyWhereNothingSpeaksAgainstIt() {
+    QFETCH(Verdict, verdict);
+    QFETCH(bool, exported);
+    ExportDialog dialog(nullptr, {{Verdict::kGood, QStringLiteral("fine")}, {verdict, QStringLiteral("and this")}});
+    dialog.show();
+    QVERIFY(QTest::qWaitForWindowExposed(&dialog));
+    QWidget* focused = dialog.focusWidget();
+    QTest::keyClick(focused ? focused : &dialog, Qt::Key_Return);
+    QVERIFY(dialog.isHidden());
+    QCOMPARE(dialog.result(), int(exported ? QDialog::Accepted : QDialog::Rejected));
+  }
+
+  void aWarningCanBeOverruled() {
+    ExportDialog dialog(nullptr, {{Verdict::kWarning, QStringLiteral("wrong")}});
+    dialog.show();
+    for (QPushButton* button : dialog.findChildren<QPushButton*>())
+      if (button->text().contains(QStringLiteral("anyway"))) button->click();
+    QCOMPARE(dialog.result(), int(QDialog::Accepted));
+  }
+};
+
+QTEST_MAIN(ExportDialogTest)
+#include "export_dialog_test.moc"
