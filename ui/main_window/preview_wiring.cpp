@@ -16,7 +16,6 @@
 namespace cad2slam {
 namespace {
 
-constexpr double kMagnification = 10.0;
 const QColor kGreyInk(0x55, 0x5a, 0x60);
 // Of all SLAM maps over one blueprint; told apart by lightness as well.
 const std::array<QColor, 6> kMapInks{QColor(0xe0, 0x00, 0x84), QColor(0x00, 0x9a, 0x44), QColor(0x1f, 0x5f, 0xd8),
@@ -247,7 +246,7 @@ void PreviewWiring::refreshOverlays() {
     markers.push_back(std::move(marker));
   }
   view.setMarkers(std::move(markers));
-  view.setResiduals(std::move(residuals), kMagnification);
+  view.setResiduals(std::move(residuals), MapView::kAutomaticMagnification);
   if (result && panel_.mode() == PreviewMode::kMesh) {
     const auto mesh = side == Side::kBlueprint ? meshInBlueprint(*result) : meshInSlam(*result);
     view.setMesh(mesh);

@@ -9,6 +9,7 @@ namespace cad2slam {
 namespace {
 
 constexpr double kCell_px = 40.0;
+constexpr double kTextEdge_px = 2.0;
 constexpr double kBeyond_px = 120.0;  // texts of markers just outside of the view count as well
 
 /// Beside a marker: -1, 0 or 1 to the right of its middle and below it.
@@ -30,7 +31,8 @@ QRectF areaAt(const QPointF& at, double reach, const QSizeF& text, const Corner&
 }  // namespace
 
 LabelLayout::LabelLayout(const QSizeF& view)
-    : columns_(static_cast<int>((view.width() + 2.0 * kBeyond_px) / kCell_px) + 1),
+    : view_(QRectF(QPointF(), view).adjusted(kTextEdge_px, kTextEdge_px, -kTextEdge_px, -kTextEdge_px)),
+      columns_(static_cast<int>((view.width() + 2.0 * kBeyond_px) / kCell_px) + 1),
       rows_(static_cast<int>((view.height() + 2.0 * kBeyond_px) / kCell_px) + 1),
       cells_(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_)) {}
 
@@ -60,17 +62,25 @@ bool LabelLayout::isFree(const QRectF& area) const {
 }
 
 std::optional<QRectF> LabelLayout::place(const QPointF& at, double reach, const QSizeF& text) {
-  for (const Corner& corner : kCorners) {
-    const QRectF area = areaAt(at, reach, text, corner);
-    if (!isFree(area)) continue;
-    occupy(area);
-    return area;
+  for (const bool whole : {true, false}) {  // rather cut by the edge of the view than not there
+    for (const Corner& corner : kCorners) {
+      const QRectF area = areaAt(at, reach, text, corner);
+      if ((whole && !view_.contains(area)) || !isFree(area)) continue;
+      occupy(area);
+      return area;
+    }
   }
   return std::nullopt;
 }
 
 QRectF LabelLayout::placeAnyway(const QPointF& at, double reach, const QSizeF& text) {
-  const QRectF area = areaAt(at, reach, text, kPreferred);
+  QRectF area = areaAt(at, reach, text, kPreferred);
+  for (const Corner& corner : kCorners) {
+    const QRectF other = areaAt(at, reach, text, corner);
+    if (!view_.contains(other)) continue;
+    area = other;
+    break;
+  }
   occupy(area);
   return area;
 }

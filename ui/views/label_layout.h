@@ -13,8 +13,8 @@
 namespace cad2slam {
 
 /// Finds room for texts beside markers, so that no text covers a marker or another text: each takes the first of six
-/// places that is free (the greedy rule of point-feature label placement). Most important first; what finds no room is
-/// better not drawn. Logical pixels.
+/// places that is free (the greedy rule of point-feature label placement), inside the view if it can be. Most important
+/// first; what finds no room is better not drawn. Logical pixels.
 class LabelLayout {
  public:
   explicit LabelLayout(const QSizeF& view);
@@ -25,7 +25,7 @@ class LabelLayout {
   /// Where a text of this size goes beside the marker at `at`, `reach` away from its middle in x and y; the area is
   /// taken from then on. None: there is no room.
   [[nodiscard]] std::optional<QRectF> place(const QPointF& at, double reach, const QSizeF& text);
-  /// The same at the place that is tried first, free or not.
+  /// The same at the first place inside the view, free or not.
   QRectF placeAnyway(const QPointF& at, double reach, const QSizeF& text);
 
  private:
@@ -33,6 +33,7 @@ class LabelLayout {
   template <class Visit>
   void forEachCell(const QRectF& area, const Visit& visit) const;
 
+  QRectF view_;
   int columns_;
   int rows_;
   std::vector<QRectF> taken_;

@@ -37,15 +37,16 @@ QColor attentionColor() {
   return QColor(0x1e, 0x66, 0xd0);
 }
 
+double roundedDown(double value) {
+  if (!(value > 0.0) || !std::isfinite(value)) return 0.0;
+  const double decade = std::pow(10.0, std::floor(std::log10(value)));
+  return decade * (5.0 * decade <= value ? 5.0 : 2.0 * decade <= value ? 2.0 : 1.0);
+}
+
 ScaleBar scaleBarFor(double m_per_px, double most_px) {
   ScaleBar bar;
-  const double most_m = m_per_px * most_px;
-  if (!(most_m > 0.0) || !std::isfinite(most_m)) return bar;
-  const double decade = std::pow(10.0, std::floor(std::log10(most_m)));
-  bar.length_m = decade;
-  for (const double factor : {2.0, 5.0}) {
-    if (decade * factor <= most_m) bar.length_m = decade * factor;
-  }
+  bar.length_m = roundedDown(m_per_px * most_px);
+  if (!(bar.length_m > 0.0)) return bar;
   bar.length_px = bar.length_m / m_per_px;
   const QLocale locale;
   if (bar.length_m >= 1000.0) {
@@ -61,7 +62,7 @@ ScaleBar scaleBarFor(double m_per_px, double most_px) {
 }
 
 void paintScaleBar(QPainter& painter, const QSizeF& view, double m_per_px) {
-  const ScaleBar bar = scaleBarFor(m_per_px, std::min(150.0, view.width() * 0.35));
+  const ScaleBar bar = scaleBarFor(m_per_px, std::min({150.0, view.width() * 0.35, view.height() * 0.4}));
   if (bar.text.isEmpty()) return;
   painter.save();
   painter.setRenderHint(QPainter::Antialiasing);
@@ -81,7 +82,8 @@ void paintScaleBar(QPainter& painter, const QSizeF& view, double m_per_px) {
 }
 
 QRectF compassRect(const QSizeF& view) {
-  return QRectF(view.width() - 46.0, 8.0, 38.0, 38.0);
+  const double side = std::clamp(std::min(view.width(), view.height()) * 0.12, 24.0, 38.0);  // a small map needs room
+  return QRectF(view.width() - side - 8.0, 8.0, side, side);
 }
 
 void paintCompass(QPainter& painter, const QSizeF& view, double rotation_rad, bool hovered) {
@@ -89,23 +91,24 @@ void paintCompass(QPainter& painter, const QSizeF& view, double rotation_rad, bo
   const QRectF box = compassRect(view);
   const int degrees = static_cast<int>(std::lround(rotation_rad * 180.0 / kPi)) % 360;
   const QSizeF size = box.size() + 2.0 * QSizeF(kEdge, kEdge);
-  const QPixmap compass = sprite::findOrMake(
-      QStringLiteral("compass%1_%2").arg(degrees).arg(hovered), size, deviceRatio(painter), [&](QPainter& on_sprite) {
-        QPainterPath rim;
-        rim.addEllipse(QRectF(QPointF(kEdge, kEdge), box.size()));
-        sprite::fillAtOnce(on_sprite, rim, kPanel);
-        on_sprite.strokePath(rim, QPen(hovered ? attentionColor() : kRim, hovered ? 2.0 : 1.0));
-        on_sprite.translate(size.width() / 2.0, size.height() / 2.0);
-        on_sprite.rotate(-degrees);
-        QPainterPath needle;
-        needle.moveTo(0.0, -14.0);
-        needle.lineTo(5.0, 0.0);
-        needle.lineTo(-5.0, 0.0);
-        needle.closeSubpath();
-        on_sprite.fillPath(needle, QColor(0xc6, 0x28, 0x28));
-        on_sprite.rotate(180.0);
-        on_sprite.fillPath(needle, QColor(0x90, 0x95, 0x9b));
-      });
+  const QString key = QStringLiteral("compass%1_%2_%3").arg(degrees).arg(hovered).arg(box.width());
+  const QPixmap compass = sprite::findOrMake(key, size, deviceRatio(painter), [&](QPainter& on_sprite) {
+    QPainterPath rim;
+    rim.addEllipse(QRectF(QPointF(kEdge, kEdge), box.size()));
+    sprite::fillAtOnce(on_sprite, rim, kPanel);
+    on_sprite.strokePath(rim, QPen(hovered ? attentionColor() : kRim, hovered ? 2.0 : 1.0));
+    on_sprite.translate(size.width() / 2.0, size.height() / 2.0);
+    on_sprite.rotate(-degrees);
+    on_sprite.scale(box.width() / 38.0, box.width() / 38.0);
+    QPainterPath needle;
+    needle.moveTo(0.0, -14.0);
+    needle.lineTo(5.0, 0.0);
+    needle.lineTo(-5.0, 0.0);
+    needle.closeSubpath();
+    on_sprite.fillPath(needle, QColor(0xc6, 0x28, 0x28));
+    on_sprite.rotate(180.0);
+    on_sprite.fillPath(needle, QColor(0x90, 0x95, 0x9b));
+  });
   painter.drawPixmap(box.topLeft() - QPointF(kEdge, kEdge), compass);
 }
 

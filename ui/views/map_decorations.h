@@ -19,6 +19,8 @@ struct ScaleBar {
   double length_px = 0.0;
   QString text;
 };
+/// The largest of 1, 2 and 5 times a power of ten that is not above; 0 where there is none.
+[[nodiscard]] double roundedDown(double value);
 [[nodiscard]] ScaleBar scaleBarFor(double m_per_px, double most_px);
 
 void paintScaleBar(QPainter& painter, const QSizeF& view, double m_per_px);

@@ -18,6 +18,7 @@ namespace {
 
 constexpr int kMessages_px = 130;  // as high as the messages above the views get
 constexpr double kFitMargin = 0.04;
+constexpr double kHalfMarker_px = 13.0;    // at the edge of a map it is seen whole
 constexpr double kLargestPixel_px = 96.0;  // an image pixel is never drawn larger
 constexpr double kSmallestImage_px = 40.0;
 constexpr int kGlide_ms = 220;
@@ -129,6 +130,10 @@ void MapView::setMarkerTextVisible(bool visible) {
 }
 void MapView::setMapFirst(bool on) {
   map_first_ = on;
+  update();
+}
+void MapView::setMarkersAsDots(bool on) {
+  dots_ = on;
   update();
 }
 void MapView::setGhost(std::optional<Ghost> ghost) {
@@ -270,9 +275,10 @@ void MapView::fit() {
   const double up = frame_->height() * frame_->resolution();
   const double seen_width = std::abs(across * std::cos(turn)) + std::abs(up * std::sin(turn));
   const double seen_height = std::abs(across * std::sin(turn)) + std::abs(up * std::cos(turn));
-  const double keep = 1.0 - 2.0 * kFitMargin;
-  const double m_per_px =
-      std::max(seen_width / std::max(1.0, width() * keep), seen_height / std::max(1.0, height() * keep));
+  const auto room = [](int side) {
+    return std::max(1.0, side - 2.0 * std::max(kFitMargin * side, std::min(kHalfMarker_px, 0.1 * side)));
+  };
+  const double m_per_px = std::max(seen_width / room(width()), seen_height / room(height()));
   changeState({center, m_per_px, state_.rotation_rad});
 }
 

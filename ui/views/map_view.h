@@ -56,9 +56,15 @@ class MapView : public QWidget {
   void setMarkerTextVisible(bool visible);
   /// Where markers crowd they become dots without text, so that the map can be seen.
   void setMapFirst(bool on);
+  /// Markers are dots without text however few there are, and residuals lie over them.
+  void setMarkersAsDots(bool on);
   void setGhost(std::optional<Ghost> ghost);
   /// A note tells a magnification other than 1, unless setMagnificationNote(false).
   void setResiduals(std::vector<ResidualVector> residuals, double magnification);
+  /// 1, 2 or 5 times a power of ten, and with it the longest residual is about a tenth of the view; never below 1.
+  static constexpr double kAutomaticMagnification = 0.0;
+  /// The factor that is drawn with.
+  [[nodiscard]] double residualMagnification() const;
   /// Shared with whoever made it; null takes it away.
   void setMesh(std::shared_ptr<const MeshOverlay> mesh);
   void setPoses(std::vector<PoseGlyph> poses);
@@ -140,7 +146,6 @@ class MapView : public QWidget {
   void filesDropped(const QStringList& paths);
 
  protected:
-  [[nodiscard]] double residualMagnification() const { return residual_magnification_; }
   /// The raster itself; a subclass may draw something else in its place, logical pixels.
   virtual void paintBase(QPainter& painter);
   /// Over everything else but the loupe.
@@ -200,6 +205,8 @@ class MapView : public QWidget {
   void paintPoses(QPainter& painter, const QTransform& widget_from_metres, double px_per_m, bool to_drag);
   [[nodiscard]] std::vector<SeenMarker> seenMarkers(const QTransform& widget_from_metres) const;
   void paintMarkers(QPainter& painter, const QTransform& widget_from_metres);
+  /// `over_markers`: those that a marker would hide, or else the others.
+  void paintResiduals(QPainter& painter, const QTransform& widget_from_metres, bool over_markers);
   void paintLoupe(QPainter& painter);
   void paintLegend(QPainter& painter);
   void moveCursor(const QPointF& widget_px);
@@ -238,6 +245,7 @@ class MapView : public QWidget {
   bool markers_visible_ = true;
   bool marker_text_visible_ = true;
   bool map_first_ = false;
+  bool dots_ = false;
   std::optional<Ghost> ghost_;
   std::vector<ResidualVector> residuals_;
   double residual_magnification_ = 1.0;

@@ -20,14 +20,17 @@ namespace {
 constexpr double kLoupeRadius_px = 78.0;
 constexpr double kLoupeZoom = 4.0;
 
-/// Whether a good part of the places are so close to another one that markers of normal size would hide each other.
-bool isCrowd(std::vector<QPointF> by_x) {
-  constexpr double kTooClose_px = 14.0;
+// Nearer to each other, markers of normal size hide each other, and markers with their numbers the map between them.
+constexpr double kMarkersCrowd_px = 14.0;
+constexpr double kMapIsHidden_px = 42.0;
+
+/// Whether a good part of the places are closer than that to another one.
+bool isCrowd(std::vector<QPointF> by_x, double too_close_px) {
   std::sort(by_x.begin(), by_x.end(), [](const QPointF& a, const QPointF& b) { return a.x() < b.x(); });
   std::vector<bool> hidden(by_x.size(), false);
   for (std::size_t i = 0; i < by_x.size(); ++i)
-    for (std::size_t j = i + 1; j < by_x.size() && by_x[j].x() - by_x[i].x() < kTooClose_px; ++j)
-      if (std::abs(by_x[j].y() - by_x[i].y()) < kTooClose_px) hidden[i] = hidden[j] = true;
+    for (std::size_t j = i + 1; j < by_x.size() && by_x[j].x() - by_x[i].x() < too_close_px; ++j)
+      if (std::abs(by_x[j].y() - by_x[i].y()) < too_close_px) hidden[i] = hidden[j] = true;
   return 2 * std::count(hidden.begin(), hidden.end(), true) > static_cast<std::ptrdiff_t>(by_x.size());
 }
 
@@ -62,13 +65,10 @@ void MapView::paintOnTop(QPainter&) {}
 
 void MapView::paintOverlays(QPainter& painter, const QTransform& widget_from_metres, double px_per_m) {
   for (const PathGlyph& path : paths_) marker_painter_.paintPath(painter, path, widget_from_metres);
-  for (const ResidualVector& residual : residuals_) {
-    const QPointF from = widget_from_metres.map(residual.projected_m);
-    const QPointF to = widget_from_metres.map(residual.clicked_m);
-    marker_painter_.paintResidual(painter, from, from + (to - from) * residual_magnification_, residual.judged);
-  }
+  paintResiduals(painter, widget_from_metres, false);
   paintPoses(painter, widget_from_metres, px_per_m, false);
   if (markers_visible_) paintMarkers(painter, widget_from_metres);
+  paintResiduals(painter, widget_from_metres, true);
   paintPoses(painter, widget_from_metres, px_per_m, true);
   if (ghost_) {  // over other anchors: it is what the next key or click is about
     marker_painter_.paintGhost(painter, widget_from_metres.map(ghost_->point_m), ghost_->radius_m * px_per_m,
@@ -76,6 +76,32 @@ void MapView::paintOverlays(QPainter& painter, const QTransform& widget_from_met
   }
   if (mirrored_cursor_m_) {
     marker_painter_.paintMirroredCursor(painter, widget_from_metres.map(*mirrored_cursor_m_), mirrored_certain_);
+  }
+}
+
+double MapView::residualMagnification() const {
+  if (residual_magnification_ != kAutomaticMagnification) return residual_magnification_;
+  constexpr double kLongest = 0.14;  // of the view, before the factor is rounded down
+  constexpr double kMost = 1000.0;   // what is exact but for rounding shall look so
+  double longest_m = 0.0;
+  for (const ResidualVector& residual : residuals_) {
+    const QPointF way = residual.clicked_m - residual.projected_m;
+    const double length = std::hypot(way.x(), way.y());
+    if (std::isfinite(length)) longest_m = std::max(longest_m, length);
+  }
+  if (!(longest_m > 0.0)) return 1.0;
+  const double room_m = kLongest * (width() + height()) / 2.0 * state_.m_per_px;
+  return std::clamp(decoration::roundedDown(room_m / longest_m), 1.0, kMost);
+}
+
+void MapView::paintResiduals(QPainter& painter, const QTransform& widget_from_metres, bool over_markers) {
+  constexpr double kHidden_px = 12.0;  // below a marker; what it hides in turn is the place that was clicked
+  const double magnification = residualMagnification();
+  for (const ResidualVector& residual : residuals_) {
+    const QPointF from = widget_from_metres.map(residual.projected_m);
+    const QPointF way = (widget_from_metres.map(residual.clicked_m) - from) * magnification;
+    const bool over = dots_ || std::hypot(way.x(), way.y()) > kHidden_px;
+    if (over == over_markers) marker_painter_.paintResidual(painter, from, from + way, residual.judged);
   }
 }
 
@@ -109,9 +135,9 @@ std::vector<MapView::SeenMarker> MapView::seenMarkers(const QTransform& widget_f
     seen.push_back({&marker, at, enlarged ? MarkerSize::kEnlarged : MarkerSize::kNormal, enlarged || marker.selected});
     places.push_back(at);
   }
-  if (isCrowd(std::move(places))) {
+  if (dots_ || isCrowd(std::move(places), map_first_ ? kMapIsHidden_px : kMarkersCrowd_px)) {
     for (SeenMarker& each : seen)
-      if (!each.in_front) each.size = map_first_ ? MarkerSize::kDot : MarkerSize::kSmall;
+      if (!each.in_front) each.size = dots_ || map_first_ ? MarkerSize::kDot : MarkerSize::kSmall;
   }
   // Where they cover each other, what needs a look is in front.
   const auto weight = [](const SeenMarker& each) { return std::pair(each.in_front, urgencyOf(each.marker->judged)); };
@@ -125,6 +151,8 @@ void MapView::paintMarkers(QPainter& painter, const QTransform& widget_from_metr
   for (const SeenMarker& each : seen) marker_painter_.paintMarker(painter, *each.marker, each.at, each.size);
   if (!marker_text_visible_) return;
   LabelLayout layout(size());
+  layout.occupy(decoration::compassRect(size()));
+  layout.occupy(legend_rect_);
   for (const SeenMarker& each : seen) layout.occupy(MarkerPainter::coreOf(each.at, each.size));
   for (auto each = seen.rbegin(); each != seen.rend(); ++each) {
     if (each->size == MarkerSize::kDot) continue;  // the map matters more
@@ -143,12 +171,18 @@ std::optional<PreviewLegend> MapView::legend() const {
 
 void MapView::paintLegend(QPainter& painter) {
   constexpr double kGivesWay = 0.12;
+  constexpr int kSmallView_px = 300;  // where the map matters more
+  constexpr double kSmaller = 0.85;
   constexpr double kEdge_px = 8.0;
   legend_rect_ = QRectF();
-  const std::optional<PreviewLegend> shown = legend();
+  std::optional<PreviewLegend> shown = legend();
   if (!shown) return;
-  const QPixmap picture =
-      shown->picture(painter.font(), width() - 2.0 * kEdge_px, painter.device()->devicePixelRatioF());
+  QFont font = painter.font();
+  if (height() < kSmallView_px) {
+    shown->hint.clear();
+    font.setPointSizeF(kSmaller * font.pointSizeF());
+  }
+  const QPixmap picture = shown->picture(font, width() - 2.0 * kEdge_px, painter.device()->devicePixelRatioF());
   const QSizeF area = picture.deviceIndependentSize();
   legend_rect_ = QRectF(QPointF(width() - area.width() - kEdge_px, height() - area.height() - kEdge_px), area);
   painter.save();
@@ -193,9 +227,9 @@ void MapView::paintEvent(QPaintEvent*) {
     decoration::paintChip(painter, QPointF(view.width() / 2.0, view.height() - 62.0),
                           tr("Reading the image, %1 %").arg(percent), QColor(50, 54, 60, 215), view.width() * 0.5);
   }
-  if (magnification_note_ && !residuals_.empty() && residual_magnification_ != 1.0) {
+  if (magnification_note_ && !residuals_.empty() && residualMagnification() != 1.0) {
     const QString text =
-        tr("Residuals drawn %1 times as long").arg(QLocale().toString(residual_magnification_, 'g', 3));
+        tr("Residuals drawn %1 times as long").arg(QLocale().toString(residualMagnification(), 'g', 3));
     decoration::paintChip(painter, QPointF(view.width() / 2.0, view.height() - 36.0), text, QColor(50, 54, 60, 215),
                           view.width() * 0.5);
   }

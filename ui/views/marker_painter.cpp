@@ -60,7 +60,7 @@ QPen solidPen(const QColor& color, double width) {
 double radiusOf(MarkerSize size) {
   switch (size) {
     case MarkerSize::kDot:
-      return 2.0;
+      return 2.5;
     case MarkerSize::kSmall:
       return 4.0;
     case MarkerSize::kNormal:
@@ -268,13 +268,13 @@ void MarkerPainter::paintResidual(QPainter& painter, const QPointF& from, const 
   if (!(length > 1.0)) return;
   const QPointF along = way / length;
   const QPointF across(-along.y(), along.x());
-  const double head = std::min(8.0, length * 0.5);
+  const double head = std::clamp(length * 0.5, 5.0, 9.0);  // seen however short the way is
   QPainterPath path;
   path.moveTo(from);
   path.lineTo(to);
-  path.moveTo(to - along * head + across * head * 0.5);
+  path.moveTo(to - along * head + across * head * 0.6);
   path.lineTo(to);
-  path.lineTo(to - along * head - across * head * 0.5);
+  path.lineTo(to - along * head - across * head * 0.6);
   painter.save();
   painter.setRenderHint(QPainter::Antialiasing);
   strokeEdged(painter, path, solidPen(colorOf(judged), 1.8));

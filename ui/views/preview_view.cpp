@@ -53,6 +53,7 @@ void PreviewView::setMode(PreviewMode mode) {
   const bool other_kind =
       previewKind(mode) != previewKind(mode_) || (mode == PreviewMode::kAllMaps) != (mode_ == PreviewMode::kAllMaps);
   mode_ = mode;
+  setMarkersAsDots(mode == PreviewMode::kResiduals);
   if (other_kind) picture_ = {};
   update();
   emit pictureWanted();
@@ -279,8 +280,6 @@ QString PreviewView::legendHint() const {
       return tr("Drag the bar");
     case PreviewMode::kBlink:
       return tr("Hold B for the other map");
-    case PreviewMode::kTwoInk:
-      return tr("Dark: both agree");
     case PreviewMode::kResiduals:
       return tr("From the projected to the clicked place");
     case PreviewMode::kCoverage:
@@ -297,6 +296,7 @@ std::vector<PreviewLegend::Row> PreviewView::legendRows() const {
     case PreviewMode::kTwoInk:
     case PreviewMode::kAllMaps:
       for (const InkEntry& ink : inks_) rows.push_back({ink.color, ink.name});
+      if (mode_ == PreviewMode::kTwoInk) rows.push_back({QColor(), tr("Dark: both agree")});
       break;
     case PreviewMode::kSwipe:
       rows.push_back({QColor(), tr("left: %1").arg(nameOf(0))});

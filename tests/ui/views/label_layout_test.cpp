@@ -65,6 +65,22 @@ class LabelLayoutTest : public QObject {
     QCOMPARE(layout.placeAnyway(QPointF(200, 150), kReach, kText).size(), kText);
   }
 
+  void textsAreInsideTheViewWhereTheyCanBe() {
+    const QRectF view(0, 0, 400, 300);
+    for (const QPointF& at :
+         {QPointF(395, 150), QPointF(5, 150), QPointF(200, 3), QPointF(200, 297), QPointF(398, 2)}) {
+      LabelLayout layout(view.size());
+      layout.occupy(coreOf(at));
+      const auto area = layout.place(at, kReach, kText);
+      QVERIFY(area);
+      QVERIFY(view.contains(*area));
+      layout.occupy(view);
+      QVERIFY(view.contains(layout.placeAnyway(at, kReach, kText)));
+    }
+    LabelLayout layout(view.size());
+    QVERIFY(layout.place(QPointF(-30, 150), kReach, kText));  // a part of it may be seen
+  }
+
   void placesFarOutsideDoNoHarm() {
     LabelLayout layout(QSizeF(400, 300));
     for (const double far : {-1e9, 1e9, 1e300}) {

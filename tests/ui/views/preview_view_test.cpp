@@ -156,6 +156,68 @@ class PreviewViewTest : public QObject {
     QCOMPARE(shown.colorAt({480, 90}), QColor(255, 120, 0));
   }
 
+  void residualsAreEnlargedUntilTheyAreSeen_data() {
+    QTest::addColumn<double>("longest_m");
+    for (const double longest_m : {0.004, 0.12, 2.83, 60.0}) QTest::addRow("%g m", longest_m) << longest_m;
+  }
+  void residualsAreEnlargedUntilTheyAreSeen() {
+    QFETCH(double, longest_m);
+    Shown shown;
+    shown.view.setMode(PreviewMode::kResiduals);
+    const QPointF from = toQPointF(shown.frame.metricFromPixel({400.0, 300.0}));
+    const QPointF to = from + QPointF(longest_m, 0.0);
+    Marker marker;
+    marker.id = 1;
+    marker.point_m = to;
+    marker.judged = MarkerClass::kOk;
+    shown.view.setMarkers({marker});
+    const QImage without = shown.view.grab().toImage();
+    shown.view.setResiduals({{from, to, MarkerClass::kOk}, {from, (from + to) / 2.0, MarkerClass::kOk}},
+                            MapView::kAutomaticMagnification);
+    const double factor = shown.view.residualMagnification();
+    const double leading = factor / std::pow(10.0, std::floor(std::log10(factor) + 1e-9));
+    QVERIFY(std::abs(leading - 1.0) < 1e-9 || std::abs(leading - 2.0) < 1e-9 || std::abs(leading - 5.0) < 1e-9);
+    const double part = factor * longest_m / shown.view.viewState().m_per_px / shown.view.width();
+    QVERIFY2(part > 0.04 && (part < 0.16 || factor == 1.0), qPrintable(QString::number(part)));
+    QVERIFY(shown.view.grab().toImage() != without);
+    shown.view.zoomBy(1e6);  // enough to see it as it is
+    if (longest_m > 1.0) QCOMPARE(shown.view.residualMagnification(), 1.0);
+  }
+
+  void withoutAnyResidualThereIsNoFactor() {
+    Shown shown;
+    shown.view.setResiduals({}, MapView::kAutomaticMagnification);
+    QCOMPARE(shown.view.residualMagnification(), 1.0);
+    const QPointF at = toQPointF(shown.frame.metricFromPixel({400.0, 300.0}));
+    shown.view.setResiduals({{at, at, MarkerClass::kOk}}, MapView::kAutomaticMagnification);
+    QCOMPARE(shown.view.residualMagnification(), 1.0);
+  }
+
+  /// What is asked of a preview is the map: markers with their numbers leave it free.
+  void anchorsSideBySideAreDots() {
+    Shown shown;
+    shown.view.setMode(PreviewMode::kTwoInk);
+    const auto changed = [&](double apart_px) {
+      const QImage before = shown.view.grab().toImage();
+      std::vector<Marker> markers;
+      for (int i = 0; i < 8; ++i) {
+        Marker marker;
+        marker.id = i;
+        marker.text = QString::number(10 + i);
+        marker.point_m = shown.view.metresFromWidget({60.0 + apart_px * i, 200.0});
+        markers.push_back(marker);
+      }
+      shown.view.setMarkers(markers);
+      const QImage after = shown.view.grab().toImage();
+      shown.view.setMarkers({});
+      int count = 0;
+      for (int y = 0; y < after.height(); ++y)
+        for (int x = 0; x < after.width(); ++x) count += after.pixel(x, y) != before.pixel(x, y);
+      return count;
+    };
+    QVERIFY(4 * changed(30.0) < changed(60.0));
+  }
+
   void pictureOfAnotherModeIsNotTaken() {
     Shown shown;
     const PreviewPicture warped = shown.view.picture();
