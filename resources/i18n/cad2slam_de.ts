@@ -1300,6 +1300,10 @@
         <source>A pose of the SLAM map can be shown once there is an alignment</source>
         <translation>Eine Pose der SLAM-Karte kann gezeigt werden, sobald es eine Ausrichtung gibt</translation>
     </message>
+    <message>
+        <source>A report is about a blueprint and a SLAM map: load both first</source>
+        <translation>Ein Bericht handelt von einem Bauplan und einer SLAM-Karte: laden Sie zuerst beide</translation>
+    </message>
 </context>
 <context>
     <name>Report</name>
@@ -1442,6 +1446,18 @@
     <message>
         <source>CAD2SLAM report</source>
         <translation>CAD2SLAM-Bericht</translation>
+    </message>
+    <message>
+        <source>The project has changes that are not saved in its file.</source>
+        <translation>Das Projekt hat Änderungen, die nicht in seiner Datei gespeichert sind.</translation>
+    </message>
+    <message>
+        <source>The figures below are those of an earlier state: the project as it is was not solved.</source>
+        <translation>Die Zahlen unten gehören zu einem früheren Stand: das Projekt, wie es ist, wurde nicht gelöst.</translation>
+    </message>
+    <message>
+        <source>Page %1 of %2</source>
+        <translation>Seite %1 von %2</translation>
     </message>
 </context>
 <context>
@@ -2268,7 +2284,7 @@
     </message>
     <message>
         <source>Enter</source>
-        <translation>Eingabe</translation>
+        <translation>Enter</translation>
     </message>
     <message>
         <source>Take the predicted place for the other half</source>
@@ -2418,7 +2434,7 @@
     </message>
     <message>
         <source>Anchor %1 does not fit the others: they put it %2 away</source>
-        <translation>Anker %1 passt nicht zu den anderen: sie legen ihn %2 weiter</translation>
+        <translation>Anker %1 passt nicht zu den anderen: sie legen ihn %2 daneben</translation>
     </message>
     <message>
         <source>The mesh folds near anchors %1 and %2: they pull against each other</source>
@@ -3638,7 +3654,7 @@ Karten-YAML, PGM, PNG oder TIFF</translation>
     </message>
     <message>
         <source>%1? Enter accepts</source>
-        <translation>%1? Eingabe nimmt an</translation>
+        <translation>%1? Enter nimmt an</translation>
     </message>
 </context>
 <context>

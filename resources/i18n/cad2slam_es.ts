@@ -1300,6 +1300,10 @@
         <source>A pose of the SLAM map can be shown once there is an alignment</source>
         <translation>Una pose del mapa SLAM se puede mostrar cuando haya una alineación</translation>
     </message>
+    <message>
+        <source>A report is about a blueprint and a SLAM map: load both first</source>
+        <translation>Un informe trata de un plano y un mapa SLAM: cargue primero ambos</translation>
+    </message>
 </context>
 <context>
     <name>Report</name>
@@ -1442,6 +1446,18 @@
     <message>
         <source>CAD2SLAM report</source>
         <translation>Informe de CAD2SLAM</translation>
+    </message>
+    <message>
+        <source>The project has changes that are not saved in its file.</source>
+        <translation>El proyecto tiene cambios que no están guardados en su archivo.</translation>
+    </message>
+    <message>
+        <source>The figures below are those of an earlier state: the project as it is was not solved.</source>
+        <translation>Las cifras de abajo son de un estado anterior: el proyecto actual no se ha resuelto.</translation>
+    </message>
+    <message>
+        <source>Page %1 of %2</source>
+        <translation>Página %1 de %2</translation>
     </message>
 </context>
 <context>

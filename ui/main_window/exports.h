@@ -42,6 +42,9 @@ class Exports : public QObject {
   /// Tells what a projector was made from, and whether that is what the project holds now.
   bool inspectProjector(const QString& path);
 
+  /// A path beside the project to propose in a dialog.
+  [[nodiscard]] QString suggestion(const QString& extension) const;
+
   void askImportAnchors();
   void askExportAnchors();
   void askExportProjector();
@@ -58,7 +61,6 @@ class Exports : public QObject {
   /// Any file of anchors; `how`: what to add to the message about it.
   [[nodiscard]] Result<AnchorImport> readAnchorFile(const QString& path, QString& how) const;
   void showError(const QString& id, const Error& error);
-  [[nodiscard]] QString suggestion(const QString& extension) const;
 
   Session& session_;
   MessageBar& messages_;

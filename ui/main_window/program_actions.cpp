@@ -13,6 +13,7 @@
 #include "ui/engine_sentences.h"
 #include "ui/main_window/appearance.h"
 #include "ui/main_window/diagnosis_messages.h"
+#include "ui/main_window/exports.h"
 #include "ui/main_window/main_window.h"
 #include "ui/main_window/report.h"
 #include "ui/main_window/tour.h"
@@ -102,10 +103,20 @@ void connectProgramActions(MainWindow& window) {
     sheet.exec();
   });
   on(ActionId::kExportReport, [&window] {
-    const QString path = askSavePath(&window, Text::tr("Save report"), QStringLiteral("report.pdf"),
-                                     Text::tr("PDF (*.pdf)"), QStringLiteral(".pdf"));
+    const QString path =
+        askSavePath(&window, Text::tr("Save report"), window.exports().suggestion(QStringLiteral("-report.pdf")),
+                    Text::tr("PDF (*.pdf)"), QStringLiteral(".pdf"));
     if (!path.isEmpty()) saveReport(window, path);
   });
+  QAction* report = actions[ActionId::kExportReport];
+  const auto refresh_report = [&window, report, tip = report->toolTip()] {
+    const bool ready = window.session().isReady();
+    report->setEnabled(ready);
+    report->setToolTip(ready ? tip : Text::tr("A report is about a blueprint and a SLAM map: load both first"));
+    report->setStatusTip(report->toolTip());
+  };
+  QObject::connect(&window.session().rasters(), &RasterStore::changed, &window, refresh_report);
+  refresh_report();
   on(ActionId::kTypePose, [&window] { askTestPose(window); });
   on(ActionId::kTour, [&window] { startTour(window); });
   on(ActionId::kAbout, [&window] {

@@ -13,6 +13,7 @@
 #include <QDateTime>
 #include <QLocale>
 #include <QPageSize>
+#include <QPainter>
 #include <QPdfWriter>
 #include <QTextDocument>
 #include <QUrl>
@@ -24,18 +25,27 @@ namespace {
 
 constexpr int kDotsPerInch = 150;
 constexpr int kMarginMm = 14;
-constexpr int kPageHeight = 860;  // at least, between the margins; like all below at 96 dots per inch
-constexpr int kHeadingHeight = 50;
-constexpr int kPictureWidth = 530;  // of the page between its margins and those that printing a document adds
+// All below at 96 dots per inch, and the text in pixels: on every screen the pages are the same.
+constexpr int kPageWidth = 688;  // of A4 between the margins
+constexpr int kFooterHeight = 26;
+constexpr int kFooterText_px = 11;
+constexpr int kPageHeight = 1016 - kFooterHeight;
+constexpr int kHeadingHeight = 60;
+constexpr int kPictureWidth = 670;
 
 struct Text {
   Q_DECLARE_TR_FUNCTIONS(Report)
 };
 
+/// Numbers are not broken into lines: a row of more than one could be cut by the end of a page.
 QString row(const QStringList& cells, const char* tag = "td") {
   QString html = QStringLiteral("<tr>");
-  for (const QString& cell : cells)
-    html += QStringLiteral("<%1 align=\"left\">%2</%1>").arg(QLatin1String(tag), cell.toHtmlEscaped());
+  for (const QString& cell : cells) {
+    const bool is_number = !cell.isEmpty() && (cell.front().isDigit() || cell.front() == QLatin1Char('-'));
+    html += QStringLiteral("<%1 align=\"left\"%2>%3</%1>")
+                .arg(QLatin1String(tag), is_number ? QStringLiteral(" style=\"white-space: nowrap\"") : QString(),
+                     cell.toHtmlEscaped());
+  }
   return html + QStringLiteral("</tr>");
 }
 
@@ -94,7 +104,7 @@ QImage picturesOverEachOther(Session& session) {
 QString reportHtml(Session& session, const ReportExtras& extras) {
   ProjectDocument& document = session.document();
   const AlignmentSummary& summary = session.summary();
-  QString html = QStringLiteral("<html><body style=\"font-family: sans-serif; font-size: 9pt\">");
+  QString html = QStringLiteral("<html><body style=\"font-family: sans-serif; font-size: 12px\">");
   const QString title = document.path().empty() ? Text::tr("Project not saved") : toQString(document.path().filename());
   html +=
       QStringLiteral("<h1>%1</h1><p>%2</p>")
@@ -103,6 +113,12 @@ QString reportHtml(Session& session, const ReportExtras& extras) {
                                                QLocale().toString(QDateTime::currentDateTime(), QLocale::ShortFormat))
                                           .toHtmlEscaped());
 
+  const auto caution = [&](const QString& sentence) {
+    html += QStringLiteral("<p><b>▲ %1</b></p>").arg(sentence.toHtmlEscaped());
+  };
+  if (document.isModified()) caution(Text::tr("The project has changes that are not saved in its file."));
+  if (session.alignment().result() && !session.alignment().isCurrent())
+    caution(Text::tr("The figures below are those of an earlier state: the project as it is was not solved."));
   html += QStringLiteral("<h2>%1</h2><table cellpadding=\"3\" width=\"100%\">").arg(Text::tr("Result"));
   html += row({Text::tr("Anchors used"), Text::tr("%1 of %2").arg(summary.used).arg(summary.total)});
   html += row({Text::tr("RMS of the residuals"), length(summary.rms_residual_m)});
@@ -127,15 +143,16 @@ QString reportHtml(Session& session, const ReportExtras& extras) {
   }
   int free_height = 0;  // below the preview, which follows what is above: the next picture begins a page
   for (std::size_t i = 0; i < extras.pictures.size(); ++i) {
-    const QSize size = extras.pictures[i].image.size();
     // Without a height, room is left for the picture in its full size.
-    const int height = size.isEmpty() ? 0 : kPictureWidth * size.height() / size.width();
+    const QSize size =
+        extras.pictures[i].image.size().scaled(kPictureWidth, kPageHeight - kHeadingHeight, Qt::KeepAspectRatio);
+    const int height = size.height();
     const bool new_page = i > 0 && height + kHeadingHeight > free_height;
     html += QStringLiteral("<h2%1>%2</h2><p><img src=\"picture%3\" width=\"%4\" height=\"%5\"></p>")
                 .arg(new_page ? QStringLiteral(" style=\"page-break-before: always\"") : QString(),
                      extras.pictures[i].caption.toHtmlEscaped())
                 .arg(i)
-                .arg(kPictureWidth)
+                .arg(size.width())
                 .arg(height);
     if (i > 0) free_height = (new_page ? kPageHeight : free_height) - height - kHeadingHeight;
   }
@@ -165,6 +182,15 @@ QString reportHtml(Session& session, const ReportExtras& extras) {
   return html + QStringLiteral("</table></body></html>");
 }
 
+std::unique_ptr<QTextDocument> reportDocument(Session& session, const ReportExtras& extras) {
+  auto text = std::make_unique<QTextDocument>();
+  for (std::size_t i = 0; i < extras.pictures.size(); ++i)
+    text->addResource(QTextDocument::ImageResource, QUrl(QStringLiteral("picture%1").arg(i)), extras.pictures[i].image);
+  text->setHtml(reportHtml(session, extras));
+  text->setPageSize(QSizeF(kPageWidth, kPageHeight));
+  return text;
+}
+
 Result<void> writeReport(const QString& path, Session& session, const ReportExtras& extras) {
   QBuffer buffer;
   buffer.open(QIODevice::WriteOnly);
@@ -174,12 +200,24 @@ Result<void> writeReport(const QString& path, Session& session, const ReportExtr
     writer.setPageMargins(QMarginsF(kMarginMm, kMarginMm, kMarginMm, kMarginMm), QPageLayout::Millimeter);
     writer.setResolution(kDotsPerInch);
     writer.setTitle(Text::tr("CAD2SLAM report"));
-    QTextDocument text;
-    for (std::size_t i = 0; i < extras.pictures.size(); ++i)
-      text.addResource(QTextDocument::ImageResource, QUrl(QStringLiteral("picture%1").arg(i)),
-                       extras.pictures[i].image);
-    text.setHtml(reportHtml(session, extras));
-    text.print(&writer);
+    // Not QTextDocument::print(), which puts margins of its own inside those of the page.
+    const std::unique_ptr<QTextDocument> text = reportDocument(session, extras);
+    QPainter painter(&writer);
+    const double scale = static_cast<double>(writer.width()) / kPageWidth;
+    painter.scale(scale, scale);
+    QFont small = painter.font();
+    small.setPixelSize(kFooterText_px);
+    const int pages = text->pageCount();
+    for (int page = 0; page < pages; ++page) {
+      if (page > 0) writer.newPage();
+      painter.save();
+      painter.translate(0, -page * kPageHeight);
+      text->drawContents(&painter, QRectF(0, page * kPageHeight, kPageWidth, kPageHeight));
+      painter.restore();
+      painter.setFont(small);
+      painter.drawText(QRect(0, kPageHeight, kPageWidth, kFooterHeight), Qt::AlignRight | Qt::AlignBottom,
+                       Text::tr("Page %1 of %2").arg(page + 1).arg(pages));
+    }
   }
   return writeFileAtomically(toPath(path), buffer.data().toStdString());
 }

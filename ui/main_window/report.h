@@ -9,7 +9,10 @@
 #include <QString>
 #include <QStringList>
 
+#include <memory>
 #include <vector>
+
+class QTextDocument;
 
 namespace cad2slam {
 
@@ -28,6 +31,8 @@ struct ReportExtras {
 [[nodiscard]] QImage picturesOverEachOther(Session& session);
 /// The report as HTML; pictures are named picture0, picture1, ...
 [[nodiscard]] QString reportHtml(Session& session, const ReportExtras& extras);
+/// The same, laid out on pages.
+[[nodiscard]] std::unique_ptr<QTextDocument> reportDocument(Session& session, const ReportExtras& extras);
 /// Writes it as PDF on A4, atomically.
 [[nodiscard]] Result<void> writeReport(const QString& path, Session& session, const ReportExtras& extras);
 
