@@ -3275,6 +3275,10 @@ Karten-YAML, PGM, PNG oder TIFF</translation>
         <source>Discard</source>
         <translation>Verwerfen</translation>
     </message>
+    <message>
+        <source>Images: %1; anchors: %2</source>
+        <translation>Bilder: %1; Anker: %2</translation>
+    </message>
 </context>
 <context>
     <name>cad2slam::ScaleDialog</name>

@@ -3275,6 +3275,10 @@ YAML de mapa, PGM, PNG o TIFF</translation>
         <source>Discard</source>
         <translation>Descartar</translation>
     </message>
+    <message>
+        <source>Images: %1; anchors: %2</source>
+        <translation>Imágenes: %1; anclas: %2</translation>
+    </message>
 </context>
 <context>
     <name>cad2slam::ScaleDialog</name>

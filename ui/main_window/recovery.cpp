@@ -7,11 +7,31 @@
 
 #include <QFileInfo>
 #include <QLocale>
+#include <QStringList>
 
 #include <utility>
 #include <vector>
 
 namespace cad2slam {
+namespace {
+
+/// By what one knows a project that has no name; empty for an empty one.
+QString contentOf(const Project& project) {
+  QStringList images;
+  if (!project.blueprint.metadata.image.empty()) images += toQString(project.blueprint.metadata.image.filename());
+  std::size_t anchors = 0;
+  for (const ProjectSlamMap& map : project.slam_maps) {
+    images += toQString(map.raster.metadata.image.filename());
+    anchors += map.anchors.size();
+  }
+  if (images.isEmpty()) return {};
+  constexpr qsizetype kListed = 3;
+  const QString more = images.size() > kListed ? QStringLiteral(", ...") : QString();
+  return Recovery::tr("Images: %1; anchors: %2")
+      .arg(images.mid(0, kListed).join(QStringLiteral(", ")) + more, QString::number(anchors));
+}
+
+}  // namespace
 
 Recovery::Recovery(Session& session, MessageBar& messages, std::function<bool()> may_replace, QObject* parent)
     : QObject(parent),
@@ -41,6 +61,8 @@ bool Recovery::offer() {
       text += QStringLiteral(". ") + tr("It was saved again %1, so what is recovered will be a project of its own")
                                          .arg(when(QFileInfo(recoverable.project_path).lastModified()));
     }
+    if (const QString content = contentOf(recoverable.project); recoverable.unreadable.isEmpty() && !content.isEmpty())
+      text += QStringLiteral(". ") + content;
     std::vector<Cure> cures;
     if (recoverable.unreadable.isEmpty())
       cures.push_back({tr("Recover"), [this, recoverable, id] {

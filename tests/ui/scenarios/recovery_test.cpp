@@ -142,6 +142,19 @@ class RecoveryTest : public QObject {
     office.document().reset(Project{}, {});
   }
 
+  void whatIsOfferedIsKnownByItsImages() {
+    AnchorList anchors(2);
+    anchors[0].id = 1;
+    anchors[1].id = 2;
+    Project project = test::smallProject();
+    project.slam_maps.front().anchors = anchors;
+    leaveJournal({}, QByteArray::fromStdString(formatProject(project, "/nowhere/site.c2sproj")));
+    OfficeWindow office(false);
+    QVERIFY(office.window.recovery().offer());
+    QVERIFY2(recoveryText(office).contains(QStringLiteral("Images: blueprint.png, slam.png; anchors: 2")),
+             qPrintable(recoveryText(office)));
+  }
+
   void aJournalThatCannotBeReadStaysAndIsTold() {
     const QString folder =
         leaveJournal(QStringLiteral("/nowhere/site.c2sproj"), R"({"format":"cad2slam-project","version":2})");
