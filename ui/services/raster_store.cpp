@@ -66,6 +66,7 @@ bool RasterStore::holds(const Slot& slot, const ProjectRaster& raster, const std
   // A file that is gone tells nothing better than what was read of it.
   if (const auto now = stampOf(raster.metadata.image); now && now != slot.stamp) return false;
   if (slot.loading) return raster.image_sha256 == slot.recorded_sha256 && map == slot.map;
+  if (slot.image_changed && map != slot.map) return false;  // what was told names the other one
   // Chosen anew: the installer knows of another picture in the file, whatever its time says.
   if (raster.image_sha256.empty()) return false;
   return raster.image_sha256 == slot.image_sha256 || raster.image_sha256 == slot.recorded_sha256;

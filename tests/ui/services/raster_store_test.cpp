@@ -104,6 +104,23 @@ class RasterStoreTest : public QObject {
     QVERIFY(store.isImageChanged(Side::kBlueprint));
   }
 
+  void aChangedImageIsToldUnderTheNewNameOfItsMap() {
+    const test::TemporaryFolder folder;
+    ProjectRaster raster;
+    raster.metadata.image = folder.path("slam.png");
+    QVERIFY(writeImage(raster.metadata.image, 40, 254));
+    raster.image_bytes = 1;
+    raster.image_sha256 = std::string(64, 'a');
+    ProjectDocument document;
+    RasterStore store(document);
+    QSignalSpy problems(&store, &RasterStore::problem);
+    edit::addSlamMap(document, "robot 1", raster);
+    QTRY_COMPARE_WITH_TIMEOUT(problems.size(), 1, 60'000);
+    QVERIFY(edit::renameSlamMap(document, "robot 1", "cleaner"));
+    QTRY_COMPARE_WITH_TIMEOUT(problems.size(), 2, 60'000);
+    QCOMPARE(problems.last().at(0).value<RasterProblem>().map, std::string("cleaner"));
+  }
+
   void aFileThatIsGoneStaysShown() {
     ProjectDocument document;
     RasterStore store(document);
