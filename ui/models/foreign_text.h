@@ -14,6 +14,6 @@ namespace cad2slam {
 [[nodiscard]] QString asPlainText(const QString& text);
 
 /// The start of a text that may be far too long to draw, with an ellipsis where something is missing.
-[[nodiscard]] QString shortened(const QString& text);
+[[nodiscard]] QString shortened(const QString& text, qsizetype most_letters = 60);
 
 }  // namespace cad2slam

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/panels/message_row.h"
 
+#include "ui/models/foreign_text.h"
+
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
@@ -40,7 +42,9 @@ void MessageRow::setMessage(const Message& message) {
       std::equal(message.cures.begin(), message.cures.end(), message_.cures.begin(), message_.cures.end(), same_label);
   message_ = message;
   setSeverity(message.severity);
-  if (text_->text() != message.text) text_->setText(message.text);
+  constexpr qsizetype kMostLetters = 1500;  // a file can have written any number of them
+  const QString text = shortened(message.text, kMostLetters);
+  if (text_->text() != text) text_->setText(text);
   if (!same_buttons) makeButtons();
 }
 
@@ -71,7 +75,7 @@ void MessageRow::makeButtons() {
     button->deleteLater();  // it may be the one that was pressed
   }
   for (std::size_t i = 0; i < message_.cures.size(); ++i) {
-    buttons_.push_back(new QPushButton(message_.cures[i].label));
+    buttons_.push_back(new QPushButton(shortened(message_.cures[i].label)));
     connect(buttons_.back(), &QPushButton::clicked, this, [this, i] {
       const auto run = message_.cures[i].run;  // which may well put another message here
       run();

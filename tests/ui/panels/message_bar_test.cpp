@@ -4,6 +4,7 @@
 
 #include "ui/panels/toast_overlay.h"
 
+#include <QLabel>
 #include <QPushButton>
 #include <QTest>
 #include <QToolButton>
@@ -103,6 +104,18 @@ class MessageBarTest : public QObject {
     bar.showGroup(group_, {finding(QStringLiteral("1"), QStringLiteral("note"), {}, Severity::kNote)});
     QTRY_COMPARE(shownTexts(bar), QStringList{QStringLiteral("note")});
     QVERIFY(!more->isVisible());
+  }
+
+  void whatFilesWriteIsTextAndNeverFillsTheScreen() {
+    MessageBar bar;
+    bar.show(finding(QStringLiteral("1"), QStringLiteral("<b>") + QString(100'000, QLatin1Char('w')),
+                     {{QString(100'000, QLatin1Char('w')), [] {}}}));
+    const auto* row = bar.findChild<MessageRow*>();
+    QVERIFY(row->heightForWidth(1000) < 600);
+    QVERIFY(bar.findChild<QPushButton*>()->sizeHint().width() < 1500);
+    for (const QLabel* label : row->findChildren<QLabel*>())
+      QVERIFY(label->textFormat() == Qt::PlainText || !label->text().contains(QLatin1Char('<')));
+    QCOMPARE(row->message().text.size(), qsizetype(100'003));
   }
 
   void aMessageThatVanishesTakesOnlyItself() {
