@@ -26,8 +26,8 @@ struct AnchorImport {
 /// Anchors CSV (DESIGN.md section 5): `id,blueprint_x,blueprint_y,slam_x,slam_y[,enabled,name,note]`, metres.
 /// Tolerant: columns found by a header in any order, or in the order above without one; separated by comma, semicolon,
 /// tab or spaces; decimal comma where the separator is not a comma; quoted fields; `#` comments; blank lines; BOM;
-/// CRLF. A line that cannot be read, repeats an id or goes beyond kLargestCoordinate is rejected by number and the others
-/// are kept. kMalformed only when no line at all can be read as an anchor and the text is not just a header.
+/// CRLF. A line that cannot be read, repeats an id or goes beyond kLargestCoordinate is rejected by number and the
+/// others are kept. kMalformed only when no line at all can be read as an anchor and the text is not just a header.
 [[nodiscard]] Result<AnchorImport> parseAnchorsCsv(std::string_view text, const std::string& file_name);
 [[nodiscard]] Result<AnchorImport> readAnchorsCsv(const std::filesystem::path& path);
 
