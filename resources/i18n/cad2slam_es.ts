@@ -2253,8 +2253,8 @@
         <translation>● OK, ◆ revisar, ■ mala: fuera del límite y peor que las demás, ○ apagada; los límites están en los ajustes</translation>
     </message>
     <message>
-        <source>In the image at %1, %2 px</source>
-        <translation>En la imagen en %1, %2 px</translation>
+        <source>In the image at %1 px</source>
+        <translation>En la imagen en %1 px</translation>
     </message>
     <message>
         <source>%1 (%2 px)</source>
@@ -2799,8 +2799,8 @@
         <translation>Proyecto nuevo</translation>
     </message>
     <message>
-        <source>%1  x %2 m  y %3 m   pixel %4, %5</source>
-        <translation>%1  x %2 m  y %3 m   píxel %4, %5</translation>
+        <source>%1  x %2 m  y %3 m   pixel %4</source>
+        <translation>%1  x %2 m  y %3 m   píxel %4</translation>
     </message>
     <message>
         <source>Drop the blueprint here, or click to choose it:

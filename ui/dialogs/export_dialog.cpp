@@ -64,7 +64,7 @@ ExportDialog::ExportDialog(QWidget* parent, const std::vector<ExportCheck>& chec
   layout->addLayout(list);
   if (warned && !refused) {
     auto* note = new QLabel(tr("The warnings are written into the file."), this);
-    note->setEnabled(false);
+    note->setForegroundRole(QPalette::PlaceholderText);
     layout->addWidget(note);
   }
   layout->addStretch(1);

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/main_window/appearance.h"
 
+#include "ui/main_window/clear_boxes.h"
+
 #include <QApplication>
 #include <QLibraryInfo>
 #include <QLocale>
@@ -37,6 +39,17 @@ constexpr Colors kDark{0xff2b2d30, 0xff1f2123, 0xff26282b, 0xffe8e8e8, 0xff85888
 constexpr Colors kContrast{0xffffffff, 0xffffffff, 0xffffffff, 0xff000000, 0xff505050,
                            0xffffffff, 0xff000000, 0xffffff00, 0xff0000c0};
 
+/// Of texts that are second to others, and still have to be read: Qt's own grey is too faint for that.
+QColor secondaryText(const QPalette& palette) {
+  constexpr double kOfText = 0.7;
+  const QColor text = palette.color(QPalette::Active, QPalette::WindowText);
+  const QColor window = palette.color(QPalette::Active, QPalette::Window);
+  const auto mix = [](int of_text, int of_window) {
+    return static_cast<int>(kOfText * of_text + (1.0 - kOfText) * of_window);
+  };
+  return {mix(text.red(), window.red()), mix(text.green(), window.green()), mix(text.blue(), window.blue())};
+}
+
 QPalette paletteOf(const Colors& colors) {
   QPalette palette{QColor(colors.button), QColor(colors.window)};
   palette.setColor(QPalette::Window, colors.window);
@@ -48,7 +61,6 @@ QPalette paletteOf(const Colors& colors) {
     palette.setColor(role, colors.text);
   for (const QPalette::ColorRole role : {QPalette::WindowText, QPalette::Text, QPalette::ButtonText})
     palette.setColor(QPalette::Disabled, role, colors.disabled);
-  palette.setColor(QPalette::PlaceholderText, colors.disabled);
   palette.setColor(QPalette::ToolTipBase, colors.base);
   palette.setColor(QPalette::Highlight, colors.highlight);
   palette.setColor(QPalette::HighlightedText, colors.highlighted_text);
@@ -77,21 +89,18 @@ void applyTheme(Theme theme) {
   static const QString kSystemStyle = QApplication::style()->objectName();
   static const QPalette kSystemPalette = QApplication::palette();
   // Only Fusion takes every colour from the palette.
-  QApplication::setStyle(QStyleFactory::create(theme == Theme::kSystem ? kSystemStyle : QStringLiteral("Fusion")));
-  switch (theme) {
-    case Theme::kSystem:
-      QApplication::setPalette(kSystemPalette);
-      break;
-    case Theme::kLight:
-      QApplication::setPalette(paletteOf(kLight));
-      break;
-    case Theme::kDark:
-      QApplication::setPalette(paletteOf(kDark));
-      break;
-    case Theme::kHighContrast:
-      QApplication::setPalette(paletteOf(kContrast));
-      break;
+  const QString style = theme == Theme::kSystem ? kSystemStyle : QStringLiteral("Fusion");
+  if (style.compare(QLatin1String("Fusion"), Qt::CaseInsensitive) == 0) {
+    QApplication::setStyle(new ClearBoxes);
+  } else {
+    QApplication::setStyle(QStyleFactory::create(style));
   }
+  QPalette palette = theme == Theme::kSystem  ? kSystemPalette
+                     : theme == Theme::kLight ? paletteOf(kLight)
+                     : theme == Theme::kDark  ? paletteOf(kDark)
+                                              : paletteOf(kContrast);
+  palette.setColor(QPalette::PlaceholderText, secondaryText(palette));
+  QApplication::setPalette(palette);
   QString sheet;
   if (theme == Theme::kHighContrast)
     sheet = QStringLiteral(

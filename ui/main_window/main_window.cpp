@@ -443,9 +443,9 @@ void MainWindow::refreshDropZones() {
 }
 
 void MainWindow::showReadout(Side side, const QPointF& point_m, const QPointF& image_px) {
-  status_->setReadout(tr("%1  x %2 m  y %3 m   pixel %4, %5")
+  status_->setReadout(tr("%1  x %2 m  y %3 m   pixel %4")
                           .arg(side == Side::kBlueprint ? tr("Blueprint") : tr("SLAM map"), metresText(point_m.x()),
-                               metresText(point_m.y()), numberText(image_px.x(), 1), numberText(image_px.y(), 1)));
+                               metresText(point_m.y()), pairText(image_px.x(), image_px.y(), 1)));
 }
 
 void MainWindow::rotateActiveView(double by_rad) {

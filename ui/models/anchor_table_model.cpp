@@ -199,7 +199,7 @@ QString AnchorTableModel::tooltip(const Anchor& anchor, int column) const {
   const std::optional<MapFrame>& frame = frames_[in_blueprint ? 0 : 1];
   if (!frame) return {};
   const Eigen::Vector2d pixel = frame->pixelFromMetric(in_blueprint ? anchor.in_blueprint : anchor.in_slam);
-  return tr("In the image at %1, %2 px").arg(numberText(pixel.x(), 1), numberText(pixel.y(), 1));
+  return tr("In the image at %1 px").arg(pairText(pixel.x(), pixel.y(), 1));
 }
 
 QString AnchorTableModel::lengthAndPixels(double length_m) const {
@@ -242,7 +242,7 @@ QVariant AnchorTableModel::data(const QModelIndex& index, int role) const {
     case Qt::ForegroundRole: {
       const bool number_of_solve = column == kResidual || column == kLeaveOneOut || column == kFlag;
       const bool grey = !anchor.enabled || (stale_ && number_of_solve);
-      return grey ? QVariant(QGuiApplication::palette().color(QPalette::Disabled, QPalette::Text)) : QVariant();
+      return grey ? QVariant(QGuiApplication::palette().color(QPalette::PlaceholderText)) : QVariant();
     }
     case Qt::AccessibleTextRole:
       if (column == kEnabled)

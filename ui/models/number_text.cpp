@@ -29,6 +29,12 @@ QString numberText(double value, int decimals) {
   return withDecimalSign(QString::number(is_zero ? 0.0 : value, 'f', decimals));
 }
 
+QString pairText(double first, double second, int decimals) {
+  const bool comma_in_numbers = QLocale().decimalPoint() == QLatin1String(",");
+  return numberText(first, decimals) + (comma_in_numbers ? QStringLiteral("; ") : QStringLiteral(", ")) +
+         numberText(second, decimals);
+}
+
 QString shortNumberText(double value) {
   return withDecimalSign(QString::number(value, 'g', QLocale::FloatingPointShortest));
 }

@@ -11,6 +11,8 @@ namespace cad2slam {
 /// Numbers as the installer types them: the decimal sign of the language, else digits and minus of any keyboard, no
 /// group separators. parseNumber() reads them back in every language.
 [[nodiscard]] QString numberText(double value, int decimals);
+/// Two numbers that belong together, told apart by what is no decimal sign here.
+[[nodiscard]] QString pairText(double first, double second, int decimals);
 /// As short as it can be and still read back as the same number.
 [[nodiscard]] QString shortNumberText(double value);
 /// Accepts decimal point and decimal comma and digits of any script whatever the language, and a unit "m" behind;

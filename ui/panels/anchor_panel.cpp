@@ -80,7 +80,7 @@ AnchorPanel::AnchorPanel(ProjectDocument& document, AnchorSelection& selection, 
                      table_->viewport());
   hint_->setAlignment(Qt::AlignCenter);
   hint_->setWordWrap(true);
-  hint_->setEnabled(false);
+  hint_->setForegroundRole(QPalette::PlaceholderText);
   auto* over_table = new QVBoxLayout(table_->viewport());
   over_table->addWidget(hint_);
 

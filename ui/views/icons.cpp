@@ -8,6 +8,7 @@
 #include <QPainter>
 #include <QPalette>
 #include <QPixmapCache>
+#include <QRegularExpression>
 #include <QSvgRenderer>
 
 #include <algorithm>
@@ -47,11 +48,15 @@ class RecoloredSvg : public QIconEngine {
     QByteArray colored = drawing_;
     colored.replace("currentColor", lineColor(mode).name().toLatin1());
     colored.replace("accentColor", accentColor(mode).name().toLatin1());
+    if (mode == QIcon::Disabled) {  // fixed colours have no disabled shade of their own
+      static const QRegularExpression kStrong(QStringLiteral("\"#(?!fff)[0-9a-fA-F]+\""));
+      colored = QString::fromUtf8(colored)
+                    .replace(kStrong, QLatin1Char('"') + lineColor(mode).name() + QLatin1Char('"'))
+                    .toUtf8();
+    }
     QSvgRenderer renderer(colored);
     painter->save();
     painter->setRenderHint(QPainter::Antialiasing);
-    // Fixed colours have no disabled shade of their own.
-    if (mode == QIcon::Disabled && drawing_.contains("=\"#")) painter->setOpacity(painter->opacity() * 0.5);
     const int side = std::min(rect.width(), rect.height());
     QRect square(0, 0, side, side);
     square.moveCenter(rect.center());

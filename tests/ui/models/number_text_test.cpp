@@ -39,6 +39,12 @@ class NumberTextTest : public QObject {
     QCOMPARE(numberText(-12345.678, 2), QStringLiteral("-12345.68"));
   }
 
+  void twoNumbersAreToldApart() {
+    QCOMPARE(pairText(1.25, -3.0, 1), QStringLiteral("1.3, -3.0"));
+    QLocale::setDefault(QLocale(QLocale::German));
+    QCOMPARE(pairText(1.25, -3.0, 1), QStringLiteral("1,3; -3,0"));
+  }
+
   void aRoundedZeroHasNoSign() {
     QCOMPARE(numberText(-0.0001, 3), QStringLiteral("0.000"));
     QCOMPARE(numberText(-0.0006, 3), QStringLiteral("-0.001"));
