@@ -2544,6 +2544,10 @@
 <context>
     <name>cad2slam::ExportDialog</name>
     <message>
+        <source>&amp;Solve again</source>
+        <translation>Noch einmal &amp;lösen</translation>
+    </message>
+    <message>
         <source>Export projector</source>
         <translation>Projektor exportieren</translation>
     </message>
@@ -2574,6 +2578,10 @@
 </context>
 <context>
     <name>cad2slam::Exports</name>
+    <message>
+        <source>The last solve was stopped, so there is nothing current to export</source>
+        <translation>Das letzte Lösen wurde angehalten, darum gibt es nichts Aktuelles zu exportieren</translation>
+    </message>
     <message>
         <source>There is no alignment yet: place anchors first</source>
         <translation>Es gibt noch keine Ausrichtung: zuerst Anker setzen</translation>

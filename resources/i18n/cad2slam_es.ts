@@ -2544,6 +2544,10 @@
 <context>
     <name>cad2slam::ExportDialog</name>
     <message>
+        <source>&amp;Solve again</source>
+        <translation>&amp;Resolver otra vez</translation>
+    </message>
+    <message>
         <source>Export projector</source>
         <translation>Exportar proyector</translation>
     </message>
@@ -2574,6 +2578,10 @@
 </context>
 <context>
     <name>cad2slam::Exports</name>
+    <message>
+        <source>The last solve was stopped, so there is nothing current to export</source>
+        <translation>La última resolución se detuvo, así que no hay nada actual que exportar</translation>
+    </message>
     <message>
         <source>There is no alignment yet: place anchors first</source>
         <translation>Aún no hay alineación: ponga anclas primero</translation>

@@ -57,6 +57,12 @@ ExportDialog::ExportDialog(QWidget* parent, const std::vector<ExportCheck>& chec
     default_button->setDefault(true);
     default_button->setFocus();
   }
+  if (std::any_of(checks.begin(), checks.end(), [](const ExportCheck& check) { return check.solving_helps; })) {
+    QPushButton* solve = buttons->addButton(tr("&Solve again"), QDialogButtonBox::ActionRole);
+    solve->setDefault(true);
+    solve->setFocus();
+    connect(solve, &QPushButton::clicked, this, [this] { done(kSolveAgain); });
+  }
   connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
   auto* layout = new QVBoxLayout(this);
@@ -69,11 +75,6 @@ ExportDialog::ExportDialog(QWidget* parent, const std::vector<ExportCheck>& chec
   }
   layout->addStretch(1);
   layout->addWidget(buttons);
-}
-
-bool ExportDialog::ask(QWidget* parent, const std::vector<ExportCheck>& checks) {
-  ExportDialog dialog(parent, checks);
-  return dialog.exec() == QDialog::Accepted;
 }
 
 }  // namespace cad2slam

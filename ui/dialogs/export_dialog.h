@@ -14,17 +14,18 @@ struct ExportCheck {
   enum class Verdict { kGood, kNote, kWarning, kRefused };
   Verdict verdict = Verdict::kGood;
   QString sentence;
+  bool solving_helps = false;
 };
 
-/// The check-list before a projector is written. A refusal has no way around, a warning has "export anyway",
-/// which is never what Enter does.
+/// The check-list before a projector is written. A refusal has no way around but to solve again where that helps, a
+/// warning has "export anyway", which is never what Enter does.
 class ExportDialog : public QDialog {
   Q_OBJECT
 
  public:
-  ExportDialog(QWidget* parent, const std::vector<ExportCheck>& checks);
+  static constexpr int kSolveAgain = QDialog::Accepted + 1;  ///< result() where that was chosen
 
-  [[nodiscard]] static bool ask(QWidget* parent, const std::vector<ExportCheck>& checks);
+  ExportDialog(QWidget* parent, const std::vector<ExportCheck>& checks);
 };
 
 }  // namespace cad2slam

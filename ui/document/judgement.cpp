@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 namespace cad2slam {
 namespace {
@@ -77,10 +78,13 @@ std::map<AnchorId, AnchorJudgement> judgeAnchors(const AnchorList& anchors, cons
 AlignmentSummary summarize(const AnchorList& anchors, const std::vector<AnchorFit>& fits) {
   AlignmentSummary summary;
   summary.total = anchors.size();
+  std::set<AnchorId> enabled;
+  for (const Anchor& anchor : anchors)
+    if (anchor.enabled) enabled.insert(anchor.id);
   double squares = 0.0;
   std::vector<double> leave_one_out;
   for (const AnchorFit& fit : fits) {
-    if (!fit.used || !std::isfinite(fit.residual_m)) continue;
+    if (!fit.used || !std::isfinite(fit.residual_m) || !enabled.contains(fit.id)) continue;
     ++summary.used;
     squares += fit.residual_m * fit.residual_m;
     summary.max_residual_m = std::max(summary.max_residual_m.value_or(0.0), fit.residual_m);

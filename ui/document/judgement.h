@@ -51,6 +51,7 @@ inline constexpr std::size_t kLeaveOneOutFrom = 4;
                                                                const std::vector<AnchorFit>& fits,
                                                                const ClassLimits& limits, double slam_m_per_px);
 
+/// The fits may be older than the anchors: what was switched off or deleted since is not counted.
 [[nodiscard]] AlignmentSummary summarize(const AnchorList& anchors, const std::vector<AnchorFit>& fits);
 
 /// Whether the anchors do not predict each other: most would be missed by more than the look limit without themselves.

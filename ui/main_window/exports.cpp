@@ -74,22 +74,29 @@ Result<double> readBackDifference(const std::filesystem::path& path, const Proje
   return largest;
 }
 
+ExportCheck whyNotCurrent(AlignmentStatus status) {
+  switch (status) {
+    case AlignmentStatus::kSolving:
+      return {Verdict::kRefused, Exports::tr("The alignment is still being computed: wait for the green chip")};
+    case AlignmentStatus::kCancelled:
+      return {Verdict::kRefused, Exports::tr("The last solve was stopped, so there is nothing current to export"),
+              true};
+    case AlignmentStatus::kFailed:
+      return {Verdict::kRefused, Exports::tr("The last solve failed, so there is nothing current to export")};
+    default:
+      return {Verdict::kRefused, Exports::tr("There is no alignment yet: place anchors first")};
+  }
+}
+
 }  // namespace
 
 std::vector<ExportCheck> exportChecks(Session& session, const QStringList& findings) {
   std::vector<ExportCheck> checks;
-  const SolveResultPtr& result = session.alignment().result();
-  if (!result) {
-    checks.push_back({Verdict::kRefused, Exports::tr("There is no alignment yet: place anchors first")});
-    return checks;
-  }
   if (!session.alignment().isCurrent()) {
-    const bool solving = session.alignment().status() == AlignmentStatus::kSolving;
-    checks.push_back(
-        {Verdict::kRefused, solving ? Exports::tr("The alignment is still being computed: wait for the green chip")
-                                    : Exports::tr("The last solve failed, so there is nothing current to export")});
+    checks.push_back(whyNotCurrent(session.alignment().status()));
     return checks;
   }
+  const SolveResultPtr& result = session.alignment().result();
   const AlignmentSummary& summary = session.summary();
   if (summary.used < 3) {
     checks.push_back(
@@ -358,7 +365,10 @@ void Exports::askExportAnchors() {
 void Exports::askExportProjector() {
   finishTyping(window_);
   const std::vector<ExportCheck> checks = exportChecks(session_, findings_ ? findings_() : QStringList());
-  if (!ExportDialog::ask(&window_, checks)) return;
+  ExportDialog dialog(&window_, checks);
+  const int answer = dialog.exec();
+  if (answer == ExportDialog::kSolveAgain) session_.alignment().solveNow();
+  if (answer != QDialog::Accepted) return;
   const QString path = askSavePath(&window_, tr("Export projector"), suggestion(QStringLiteral(".c2s")),
                                    tr("Projectors (*.c2s)"), QStringLiteral(".c2s"));
   if (path.isEmpty()) return;

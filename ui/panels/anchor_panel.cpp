@@ -160,7 +160,7 @@ void AnchorPanel::setSummary(const AlignmentSummary& summary, bool stale) {
   rms_->setText(tr("RMS %1").arg(length(summary.rms_residual_m)));
   max_->setText(tr("Largest %1").arg(length(summary.max_residual_m)));
   leave_one_out_->setText(tr("Without-it median %1").arg(length(summary.median_leave_one_out_m)));
-  for (QLabel* label : {rms_, max_, leave_one_out_}) label->setEnabled(!stale);
+  for (QLabel* label : {count_, rms_, max_, leave_one_out_}) label->setEnabled(!stale);
 }
 
 std::optional<AnchorId> AnchorPanel::nextByError(std::optional<AnchorId> after, bool forward) const {

@@ -31,6 +31,7 @@ Alignment::Alignment(ProjectDocument& document, QObject* parent) : QObject(paren
   connect(&service_, &SolveService::solved, this, [this](const SolveResultPtr& result) {
     if (result->map != document_.currentMapName() || status_ == AlignmentStatus::kNoAnchors) return;
     if (result_ && result->revision < result_->revision) return;
+    if (result->quality == Quality::kPreview && isCurrent()) return;  // solved again: no way back to a rough one
     error_.reset();
     if (result->quality == Quality::kFull) full_solve_s_ = result->seconds;
     setResult(result);
@@ -39,7 +40,7 @@ Alignment::Alignment(ProjectDocument& document, QObject* parent) : QObject(paren
   connect(&service_, &SolveService::failed, this, [this](const SolveFailure& failure) {
     if (failure.revision != document_.revision() || failure.map != document_.currentMapName()) return;
     error_ = failure.error;
-    setStatus(failure.error.code == ErrorCode::kCancelled ? AlignmentStatus::kCancelled : AlignmentStatus::kFailed);
+    failure.error.code == ErrorCode::kCancelled ? setStopped() : setStatus(AlignmentStatus::kFailed);
   });
   connect(&service_, &SolveService::solvedAside, this, [this](const SolveResultPtr& result) {
     const auto other = others_.find(result->map);
@@ -182,11 +183,16 @@ void Alignment::cancel() {
   }
   if (status_ != AlignmentStatus::kSolving) return;
   service_.cancel();
-  setStatus(AlignmentStatus::kCancelled);
+  setStopped();
 }
 
 void Alignment::requestSigma(const QPointF& point_in_blueprint) {
   service_.requestSigma(document_.currentMapName(), point_in_blueprint);
+}
+
+void Alignment::setStopped() {
+  // What was merely solved again has its answer.
+  setStatus(isCurrent() ? AlignmentStatus::kUpToDate : AlignmentStatus::kCancelled);
 }
 
 void Alignment::setStatus(AlignmentStatus status) {

@@ -20,7 +20,7 @@ enum class AlignmentStatus {
   kSolving,
   kUpToDate,
   kFailed,     ///< the last good result, if any, is still there
-  kCancelled,  ///< the installer stopped the solve; the last good result is still there
+  kCancelled,  ///< the installer stopped the solve; the last good result is still there, of the document as it was
 };
 
 /// Keeps a document solved: asks for a solve after every edit that needs one and holds the last good result of each
@@ -74,6 +74,7 @@ class Alignment : public QObject {
   void askOthers();
   [[nodiscard]] SolveRequest requestFor(const ProjectSlamMap& map, Quality quality) const;
   void finishOther(const std::string& map, AlignmentStatus status);
+  void setStopped();
   void setStatus(AlignmentStatus status);
   void setResult(SolveResultPtr result);
 

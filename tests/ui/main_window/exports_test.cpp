@@ -75,6 +75,37 @@ class ExportsTest : public QObject {
     QCOMPARE(QString::fromStdString(data.info.project), QStringLiteral("site.c2sproj"));
   }
 
+  void aSolveThatWasStoppedIsNamedAndCanBeTakenUpFromTheCheckList() {
+    const auto move = [&] {
+      const Anchor& anchor = office_->document().anchors()[0];
+      edit::moveAnchor(office_->document(), anchor.id, Side::kSlam, anchor.in_slam + Eigen::Vector2d(0.1, 0.0),
+                       office_->document().newGesture());
+    };
+    move();
+    office_->window.actionTable()[ActionId::kCancelSolve]->trigger();
+    const ExportCheck check = exportChecks(office_->session()).front();
+    QCOMPARE(check.verdict, ExportCheck::Verdict::kRefused);
+    QVERIFY2(check.sentence.contains(QStringLiteral("stopped")), qPrintable(check.sentence));
+    bool pressed = false;
+    QTimer::singleShot(0, qApp, [&] {
+      auto* dialog = qobject_cast<ExportDialog*>(QApplication::activeModalWidget());
+      if (!dialog) return;
+      for (QPushButton* button : dialog->findChildren<QPushButton*>()) {
+        if (!button->text().contains(QStringLiteral("again"))) continue;
+        pressed = true;
+        return button->click();
+      }
+      dialog->reject();
+    });
+    office_->window.exports().askExportProjector();
+    QVERIFY(pressed);
+    QVERIFY(office_->waitUntilSolved());
+    QVERIFY(exportChecks(office_->session()).front().verdict != ExportCheck::Verdict::kRefused);
+    // One that fails, or is not there, is not to be taken up.
+    office_->document().reset(Project{}, {});
+    QVERIFY(!exportChecks(office_->session()).front().solving_helps);
+  }
+
   void aProgramThatEndsDropsTheSolveAndSaysSo() {
     bool written = true;
     QTimer::singleShot(0, qApp, [&] {
