@@ -12,6 +12,7 @@
 #include "ui/main_window/exports.h"
 #include "ui/main_window/hints.h"
 #include "ui/main_window/menus.h"
+#include "ui/main_window/part_focus.h"
 #include "ui/main_window/preview_wiring.h"
 #include "ui/main_window/program_actions.h"
 #include "ui/main_window/project_files.h"
@@ -454,11 +455,7 @@ void MainWindow::rotateActiveView(double by_rad) {
 }
 
 void MainWindow::goToNextPart() {
-  QWidget* const parts[] = {blueprint_view_, slam_view_, anchor_panel_->table(), &preview_->view()};
-  std::size_t next = 0;
-  for (std::size_t i = 0; i < std::size(parts); ++i)
-    if (parts[i]->hasFocus()) next = (i + 1) % std::size(parts);
-  parts[next]->setFocus(Qt::TabFocusReason);
+  focusNextPart({blueprint_view_, slam_view_, anchor_panel_->table(), &preview_->view()});
 }
 
 void MainWindow::storeViewState() {

@@ -2,9 +2,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/main_window/main_window.h"
 
+#include "ui/panels/anchor_panel.h"
+#include "ui/panels/preview_panel.h"
 #include "ui/support/documents.h"
 #include "ui/support/office_window.h"
 #include "ui/tools/test_poses.h"
+
+#include <QDockWidget>
+#include <QTableView>
 
 using namespace cad2slam;
 using test::OfficeWindow;
@@ -47,6 +52,46 @@ class MainWindowTest : public QObject {
     QTest::mouseRelease(&blueprint, Qt::LeftButton, {}, from + QPoint(40, 20));
     QCOMPARE(test::fingerprint(office.document()), before);
     QVERIFY((poses.robot().translation - office.pairs[2].in_blueprint).norm() > 1e-3);
+  }
+
+  void theKeyboardGoesRoundWhatCanBeSeen() {
+    OfficeWindow office;
+    office.window.activateWindow();
+    QVERIFY(QTest::qWaitForWindowActive(&office.window));
+    QWidget* const blueprint = &office.window.view(Side::kBlueprint);
+    QWidget* const slam = &office.window.view(Side::kSlam);
+    QWidget* const table = office.window.anchorPanel().table();
+    QWidget* const preview = &office.window.preview().view();
+    auto* dock = office.window.findChild<QDockWidget*>(QStringLiteral("previewDock"));
+    QVERIFY(dock);
+    const auto has_keyboard = [](QWidget* part) {
+      return QTest::qWaitFor([part] { return QApplication::focusWidget() == part; });
+    };
+    const auto goes = [&](const std::vector<QWidget*>& round) {
+      round.front()->window()->activateWindow();
+      round.front()->setFocus();
+      if (!has_keyboard(round.front())) return false;
+      for (std::size_t i = 1; i <= round.size(); ++i) {
+        office.window.actionTable()[ActionId::kNextPart]->trigger();
+        QWidget* const expected = round[i % round.size()];
+        if (!has_keyboard(expected)) return false;
+      }
+      return true;
+    };
+    QVERIFY(goes({blueprint, slam, table, preview}));
+    dock->close();
+    QVERIFY(goes({blueprint, slam, table}));
+    dock->show();
+    dock->setFloating(true);
+    QVERIFY(QTest::qWaitForWindowExposed(dock));
+    QVERIFY(goes({blueprint, slam, table, preview}));
+    // Behind another dock in the same place.
+    dock->setFloating(false);
+    auto* anchors = office.window.findChild<QDockWidget*>(QStringLiteral("anchorDock"));
+    office.window.tabifyDockWidget(dock, anchors);
+    anchors->raise();
+    QTRY_VERIFY(preview->visibleRegion().isEmpty());
+    QVERIFY(goes({blueprint, slam, table}));
   }
 };
 
