@@ -357,6 +357,7 @@ void MainWindow::connectTestPoses() {
   connect(test_poses_, &TestPoses::planningFailed, this, [this](const QString& sentence) {
     messages_->show({QStringLiteral("plan"), Severity::kWarning, sentence, {}, 6000});
   });
+  connect(test_poses_, &TestPoses::planningOver, this, [this] { messages_->remove(QStringLiteral("plan")); });
   connect(views_, &ViewPair::poseDragged, test_poses_, &TestPoses::drag);
   connect(views_, &ViewPair::poseTurned, test_poses_, &TestPoses::turn);
   // Not under an anchor that was just looked at.

@@ -149,7 +149,7 @@ void ViewPair::onDragMoved(Side side, MarkerId id, const QPointF& point_m, bool 
   if (session_.document().anchor(id)) {
     edit::moveAnchor(session_.document(), id, side, toEigen(point_m), gesture_, interim, snapped);
   } else {
-    emit poseDragged(side, id, point_m);
+    emit poseDragged(side, id, point_m, interim);
   }
 }
 

@@ -51,7 +51,7 @@ class ViewPair : public QObject {
   void menuRequested(cad2slam::Side side, const QPointF& point_m, const QPoint& global_px);
   void deleteRequested();
   void filesDropped(cad2slam::Side side, const QStringList& paths);
-  void poseDragged(cad2slam::Side side, cad2slam::MarkerId id, const QPointF& point_m);
+  void poseDragged(cad2slam::Side side, cad2slam::MarkerId id, const QPointF& point_m, bool interim);
   void poseTurned(cad2slam::Side side, cad2slam::MarkerId id, double heading_rad);
 
  protected:

@@ -27,23 +27,26 @@ struct TestPoses::PlanRequest {
   std::shared_ptr<const OccupancyGrid> grid;
   Eigen::Vector2d start;
   Eigen::Vector2d goal;
+  bool interim = false;
+};
+
+struct TestPoses::Planned {
+  Result<PlannedPath> path;
+  bool interim = false;
 };
 
 TestPoses::TestPoses(Session& session, QObject* parent) : QObject(parent), session_(session) {
-  planner_ = std::make_unique<LatestJob<PlanRequest, Result<PlannedPath>>>(
+  planner_ = std::make_unique<LatestJob<PlanRequest, Planned>>(
       [](const PlanRequest& request) {
-        return guarded([&] { return planPath(*request.grid, request.start, request.goal); });
+        return Planned{guarded([&] { return planPath(*request.grid, request.start, request.goal); }), request.interim};
       },
-      [this](const Result<PlannedPath>& planned) {
-        path_ = planned ? std::optional(*planned) : std::nullopt;
-        if (!planned) emit planningFailed(toSentence(planned.error()));
-        emit changed();
-      });
+      [this](const Planned& planned) { showPath(planned); });
   connect(&session_.alignment(), &Alignment::resultChanged, this, &TestPoses::changed);
   connect(&session_.document(), &ProjectDocument::changed, this, [this](const ChangeEvent& event) {
     if (!(event.what & (Change::kEverything | Change::kBlueprint))) return;
     planner_->cancel();
     path_.reset();
+    emit planningOver();
     if (event.what & Change::kEverything) {
       placed_[0] = placed_[1] = false;
       poses_ = {};
@@ -72,7 +75,12 @@ void TestPoses::setPathVisible(bool visible, const QPointF& where) {
     poses_[1] = {toEigen(where), 0.0};
     placed_[1] = true;
   }
-  if (visible) plan();
+  if (visible) {
+    plan();
+  } else {
+    planner_->cancel();
+    emit planningOver();
+  }
   emit changed();
 }
 
@@ -146,7 +154,7 @@ std::optional<Pose2> TestPoses::carried(const Pose2& pose, Side from, bool& cert
   return there.ok() ? std::optional(there.pose) : std::nullopt;
 }
 
-void TestPoses::drag(Side side, MarkerId id, const QPointF& point_m) {
+void TestPoses::drag(Side side, MarkerId id, const QPointF& point_m, bool interim) {
   if (id != kRobot && id != kGoal) return;
   Pose2& pose = poses_[id == kRobot ? 0 : 1];
   Pose2 there = inFrame(side, pose).value_or(Pose2{});
@@ -154,7 +162,7 @@ void TestPoses::drag(Side side, MarkerId id, const QPointF& point_m) {
   const std::optional<Pose2> dragged = inBlueprint(side, there);
   if (!dragged) return;
   pose = *dragged;
-  plan();
+  plan(interim);
   emit changed();
 }
 
@@ -182,9 +190,19 @@ std::optional<TestPoses::Tried> TestPoses::tried(const Pose2& in_blueprint) cons
   return tried;
 }
 
-void TestPoses::plan() {
+void TestPoses::plan(bool interim) {
   const auto& grid = session_.rasters().grid(Side::kBlueprint);
-  if (path_visible_ && grid) planner_->request({grid, poses_[0].translation, poses_[1].translation});
+  if (path_visible_ && grid) planner_->request({grid, poses_[0].translation, poses_[1].translation, interim});
+}
+
+void TestPoses::showPath(const Planned& planned) {
+  path_ = planned.path ? std::optional(*planned.path) : std::nullopt;
+  if (planned.path) {
+    emit planningOver();
+  } else if (!planned.interim) {
+    emit planningFailed(toSentence(planned.path.error()));
+  }
+  emit changed();
 }
 
 TestPoses::PoseImport TestPoses::loadPoses(const QByteArray& text, Side side) {

@@ -36,7 +36,8 @@ class TestPoses : public QObject {
   /// pose; the place itself where there is none.
   [[nodiscard]] QPointF freePlaceNear(const QPointF& where, double away_m) const;
 
-  void drag(Side side, MarkerId id, const QPointF& point_m);
+  /// `interim`: the drag goes on, and nobody is told yet where there is no way.
+  void drag(Side side, MarkerId id, const QPointF& point_m, bool interim = false);
   void turn(Side side, MarkerId id, double heading_rad);
 
   struct Tried {
@@ -73,14 +74,18 @@ class TestPoses : public QObject {
   /// Another project: nothing of the old one is shown any more.
   void forgotten();
   void planningFailed(const QString& sentence);
+  /// There is a way now, or none is asked for any more.
+  void planningOver();
 
  private:
   struct PlanRequest;
+  struct Planned;
 
   [[nodiscard]] std::optional<Pose2> inFrame(Side side, const Pose2& in_blueprint) const;
   [[nodiscard]] std::optional<Pose2> inBlueprint(Side side, const Pose2& pose) const;  // of a pose in the frame of side
   [[nodiscard]] std::optional<Pose2> carried(const Pose2& pose, Side from, bool& certain) const;
-  void plan();
+  void plan(bool interim = false);
+  void showPath(const Planned& planned);
   [[nodiscard]] bool canStandAt(const Eigen::Vector2d& place) const;
 
   Session& session_;
@@ -91,7 +96,7 @@ class TestPoses : public QObject {
   std::optional<PlannedPath> path_;  // blueprint frame
   std::vector<Pose2> loaded_;
   Side loaded_side_ = Side::kSlam;
-  std::unique_ptr<LatestJob<PlanRequest, Result<PlannedPath>>> planner_;
+  std::unique_ptr<LatestJob<PlanRequest, Planned>> planner_;
 };
 
 }  // namespace cad2slam

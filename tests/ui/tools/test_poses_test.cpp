@@ -43,6 +43,40 @@ class TestPosesTest : public QObject {
     QCOMPARE(import.skipped, std::size_t(2));
   }
 
+  void thatThereIsNoWayIsSaidAfterTheDragAndNoLongerThanItIsTrue() {
+    const test::Sandbox sandbox;
+    OfficeWindow office;
+    office.addExact(6);
+    QVERIFY(office.waitUntilSolved());
+    TestPoses& poses = office.window.testPoses();
+    office.window.actionTable()[ActionId::kPlanPath]->setChecked(true);
+    const auto has_way = [&] { return !poses.paths(Side::kBlueprint).empty(); };
+    QTRY_VERIFY_WITH_TIMEOUT(has_way(), test::kPatience);
+    QPointF inside;
+    for (const PoseGlyph& glyph : poses.glyphs(Side::kBlueprint))
+      if (glyph.id == TestPoses::kGoal) inside = glyph.point_m;
+    const QPointF outside(-1000.0, -1000.0);
+    QSignalSpy failed(&poses, &TestPoses::planningFailed);
+    MapView& view = office.window.view(Side::kBlueprint);
+    emit view.dragStarted(TestPoses::kGoal);
+    emit view.dragMoved(TestPoses::kGoal, outside);
+    QTRY_VERIFY_WITH_TIMEOUT(!has_way(), test::kPatience);
+    QVERIFY(failed.isEmpty());
+    emit view.dragFinished(TestPoses::kGoal, outside, false);
+    QTRY_COMPARE_WITH_TIMEOUT(failed.size(), 1, test::kPatience);
+    QVERIFY(office.hasMessage(QStringLiteral("plan")));
+    emit view.dragStarted(TestPoses::kGoal);
+    emit view.dragMoved(TestPoses::kGoal, inside);
+    QTRY_VERIFY_WITH_TIMEOUT(has_way(), test::kPatience);
+    QVERIFY(!office.hasMessage(QStringLiteral("plan")));
+    // Or when nobody asks for a way any more.
+    emit view.dragFinished(TestPoses::kGoal, outside, false);
+    QTRY_COMPARE_WITH_TIMEOUT(failed.size(), 2, test::kPatience);
+    QVERIFY(office.hasMessage(QStringLiteral("plan")));
+    office.window.actionTable()[ActionId::kPlanPath]->setChecked(false);
+    QVERIFY(!office.hasMessage(QStringLiteral("plan")));
+  }
+
   void nothingOfTheOldProjectShowsInTheNewOne() {
     const test::Sandbox sandbox;
     OfficeWindow office;
