@@ -48,9 +48,7 @@ SettingsDialog::SettingsDialog(QWidget* parent, const ProjectSettings& settings,
   tabs->addTab(appearancePage(), tr("A&ppearance"));
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, this);
   ok_ = buttons->button(QDialogButtonBox::Ok);
-  auto* defaults = buttons->addButton(tr("&Defaults of the model"), QDialogButtonBox::ResetRole);
-  connect(defaults, &QPushButton::clicked, this,
-          [this] { fill(defaultSettings(model_->currentIndex() == 0 ? Model::kStretch : Model::kRigid)); });
+
   connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
   auto* layout = new QVBoxLayout(this);
@@ -124,6 +122,13 @@ QWidget* SettingsDialog::solverPage() {
   lambda_theta_->setPlaceholderText(tr("automatic"));
   lambda_stretch_ = numberField(*form, tr("Smoothness of the stretch:"), {}, QStringLiteral("lambdaStretch"));
   prior_ = numberField(*form, tr("Resistance to stretch:"), {}, QStringLiteral("prior"));
+  auto* defaults = new QPushButton(tr("&Defaults of the model"), this);
+  defaults->setObjectName(QStringLiteral("defaults"));
+  defaults->setAutoDefault(false);
+  defaults->setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
+  connect(defaults, &QPushButton::clicked, this,
+          [this] { fill(defaultSettings(model_->currentIndex() == 0 ? Model::kStretch : Model::kRigid)); });
+  form->addRow(QString(), defaults);
   return page;
 }
 

@@ -8,6 +8,7 @@
 #include <QDialogButtonBox>
 #include <QLineEdit>
 #include <QPushButton>
+#include <QTabWidget>
 #include <QTimer>
 
 using namespace cad2slam;
@@ -47,6 +48,26 @@ class SettingsDialogTest : public QObject {
     QTest::keyClick(model, Qt::Key_Up);
     QVERIFY(okOf(dialog)->isEnabled());
     QCOMPARE(dialog.settings().solver, defaultSettings(Model::kStretch));
+  }
+
+  void theDefaultsOfTheModelStandWithTheModel() {
+    SolverSettings solver = defaultSettings(Model::kStretch);
+    solver.anchor_information *= 3.0;
+    ClassLimits limits;
+    limits.ok_m = 0.7;
+    SettingsDialog dialog(nullptr, {solver, {}, limits}, {});
+    dialog.show();
+    auto* defaults = dialog.findChild<QPushButton*>(QStringLiteral("defaults"));
+    auto* tabs = dialog.findChild<QTabWidget*>();
+    QVERIFY(defaults && tabs);
+    for (int page = 0; page < tabs->count(); ++page) {
+      tabs->setCurrentIndex(page);
+      QCOMPARE(defaults->isVisible(), page == 0);
+    }
+    tabs->setCurrentIndex(0);
+    defaults->click();
+    QCOMPARE(dialog.settings().solver, defaultSettings(Model::kStretch));
+    QCOMPARE(dialog.settings().limits.ok_m, 0.7);
   }
 
   void aRigidProjectCanBeChanged() {
