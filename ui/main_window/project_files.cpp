@@ -36,6 +36,19 @@ bool isYaml(const QString& path) {
   return path.endsWith(QStringLiteral(".yaml"), Qt::CaseInsensitive) ||
          path.endsWith(QStringLiteral(".yml"), Qt::CaseInsensitive);
 }
+/// Without the images that one of the map YAMLs among them names: with it they are one map.
+QStringList withoutNamedImages(const QStringList& paths) {
+  QStringList named;
+  for (const QString& path : paths) {
+    if (!isYaml(path)) continue;
+    if (const Result<MapYaml> read = readMapYaml(toPath(QFileInfo(path).absoluteFilePath())))
+      named += QFileInfo(toQString(read->metadata.image)).canonicalFilePath();
+  }
+  QStringList rest;
+  for (const QString& path : paths)
+    if (isYaml(path) || !named.contains(QFileInfo(path).canonicalFilePath())) rest += path;
+  return rest;
+}
 QString problemId(Side side, const QString& map) {
   return QStringLiteral("image-%1-%2").arg(side == Side::kBlueprint ? 0 : 1).arg(map);
 }
@@ -254,7 +267,7 @@ bool ProjectFiles::mayClose() {
 
 void ProjectFiles::takeDropped(Side side, const QStringList& paths) {
   Side next = side;
-  for (const QString& path : paths) {
+  for (const QString& path : withoutNamedImages(paths)) {
     if (isProject(path)) {
       if (mayClose()) openProject(path);
       return;

@@ -2,9 +2,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/main_window/dropped_files.h"
 
+#include "cad2slam/io/map_file.h"
 #include "ui/support/office_window.h"
 
+#include <QDialog>
 #include <QFile>
+#include <QTimer>
 
 using namespace cad2slam;
 using test::OfficeWindow;
@@ -35,6 +38,34 @@ class DroppedFilesTest : public QObject {
     QVERIFY(office.waitUntilReady());
     QTRY_COMPARE_WITH_TIMEOUT(office.document().anchors().size(), office.pairs.size(), test::kPatience);
     QVERIFY(office.hasMessage(QStringLiteral("import")));
+  }
+
+  void anImageThatAMapNamesIsNoMapOfItsOwn_data() {
+    QTest::addColumn<QStringList>("names");
+    const QString yaml = QStringLiteral("slam_1.yaml");
+    const QString image =
+        toQString(readMapYaml(toPath(OfficeWindow::sample("slam_1.yaml")))->metadata.image.filename());
+    QTest::newRow("the image first") << QStringList{image, yaml};
+    QTest::newRow("the YAML first") << QStringList{yaml, image};
+  }
+  void anImageThatAMapNamesIsNoMapOfItsOwn() {
+    QFETCH(QStringList, names);
+    OfficeWindow office(false);
+    QVERIFY(office.window.files().setImage(Side::kBlueprint, OfficeWindow::sample("blueprint.yaml")));
+    QStringList paths;
+    for (const QString& name : names) paths += OfficeWindow::sample(qPrintable(name));
+    bool asked = false;
+    QTimer::singleShot(0, qApp, [&] {
+      auto* dialog = qobject_cast<QDialog*>(QApplication::activeModalWidget());
+      asked = dialog != nullptr;
+      if (dialog) dialog->reject();
+    });
+    emit office.window.views().filesDropped(Side::kSlam, paths);
+    QVERIFY(office.waitUntilReady());
+    QVERIFY(!asked);
+    QCOMPARE(office.document().project().slam_maps.size(), std::size_t(1));
+    QCOMPARE(office.document().currentMap()->raster.metadata.resolution_m_per_px,
+             readMapYaml(toPath(OfficeWindow::sample("slam_1.yaml")))->metadata.resolution_m_per_px);
   }
 
   void pointsOfQgisWaitForBothImages() {
