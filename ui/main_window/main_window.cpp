@@ -245,6 +245,7 @@ void MainWindow::connectViewActions() {
   connect(preview_wiring_, &PreviewWiring::failed, this, [this](const QString& sentence) {
     messages_->show({QStringLiteral("preview"), Severity::kWarning, sentence, {}, 8000});
   });
+  connect(preview_wiring_, &PreviewWiring::centeringWanted, this, [this](AnchorId id) { views_->centerOn(id); });
   on(kNextPart, [this] { goToNextPart(); });
   on(kSolveAgain, [this] { session_.alignment().solveNow(); });
   on(kCancelSolve, [this] { session_.alignment().cancel(); });

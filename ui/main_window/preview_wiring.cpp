@@ -33,6 +33,11 @@ PreviewWiring::PreviewWiring(Session& session, PreviewPanel& panel, QObject* par
   view.setEmptyText(tr("Load a blueprint and a SLAM map to see them over each other"));
   view.installEventFilter(this);
   connect(&view, &PreviewView::pictureWanted, this, &PreviewWiring::askForPicture);
+  connect(&view, &MapView::markerPressed, this, [this](MarkerId id, Qt::KeyboardModifiers modifiers) {
+    const bool more = modifiers & (Qt::ControlModifier | Qt::ShiftModifier);
+    more ? session_.selection().toggle(id) : session_.selection().set({id});
+  });
+  connect(&view, &MapView::markerDoubleClicked, this, &PreviewWiring::centeringWanted);
   connect(&panel_, &PreviewPanel::modeChanged, this, &PreviewWiring::refresh);
   connect(&panel_, &PreviewPanel::directionChanged, this, &PreviewWiring::refresh);
   connect(&service_, &PreviewService::pictureReady, &view, &PreviewView::setPicture);

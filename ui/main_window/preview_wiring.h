@@ -33,6 +33,7 @@ class PreviewWiring : public QObject {
 
  signals:
   void failed(const QString& sentence);
+  void centeringWanted(cad2slam::AnchorId id);  ///< a marker was double-clicked
 
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override;

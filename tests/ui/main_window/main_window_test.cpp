@@ -93,6 +93,33 @@ class MainWindowTest : public QObject {
     QTRY_VERIFY(preview->visibleRegion().isEmpty());
     QVERIFY(goes({blueprint, slam, table}));
   }
+
+  void aMarkerOfThePreviewIsSelectedAndCentred() {
+    OfficeWindow office;
+    office.addExact(8);
+    QVERIFY(office.waitUntilSolved());
+    MapView& preview = office.window.preview().view();
+    const bool blueprint_below = office.window.preview().isBlueprintBelow();
+    const auto at = [&](std::size_t i) {
+      const Anchor& pair = office.pairs[i];
+      return preview.widgetFromMetres(toQPointF(blueprint_below ? pair.in_blueprint : pair.in_slam)).toPoint();
+    };
+    QTRY_VERIFY_WITH_TIMEOUT(preview.frame() && preview.isInView(preview.metresFromWidget(at(2))), test::kPatience);
+    preview.zoomBy(3.0);
+    preview.centerOn(preview.metresFromWidget(at(2)), false);
+    QTest::mouseClick(&preview, Qt::LeftButton, {}, at(2));
+    const std::vector<AnchorId> selected{office.document().anchors()[2].id};
+    QCOMPARE(office.session().selection().ids(), selected);
+    MapView& slam = office.window.view(Side::kSlam);
+    slam.zoomBy(4.0);
+    slam.centerOn(toQPointF(office.pairs[6].in_slam), false);
+    QTest::mouseDClick(&preview, Qt::LeftButton, {}, at(2));
+    for (const Side side : {Side::kBlueprint, Side::kSlam}) {
+      const QPointF place = toQPointF(half(office.document().anchors()[2], side));
+      QTRY_VERIFY(QLineF(office.window.view(side).viewState().center_m, place).length() < 1e-6);
+    }
+    QCOMPARE(office.document().anchors().size(), std::size_t(8));  // nothing is placed in the preview
+  }
 };
 
 QTEST_MAIN(MainWindowTest)
