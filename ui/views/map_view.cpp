@@ -418,6 +418,11 @@ void MapView::resizeEvent(QResizeEvent* event) {
     const QPointF middle = QRectF(rect()).center() + QPointF(origin - origin_in_window_);
     state_.center_m = metres_from_widget_.map(middle);
   }
+  // The mouse has not moved, the view has: what is being dragged or panned goes on from there.
+  const QPointF moved(origin_in_window_ - origin);
+  press_ += moved;
+  last_ += moved;
+  if (cursor_) *cursor_ += moved;
   origin_in_window_ = origin;
   window_size_ = window()->size();
   updateTransform();

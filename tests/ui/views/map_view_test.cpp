@@ -6,6 +6,7 @@
 #include <QMouseEvent>
 #include <QSignalSpy>
 #include <QTest>
+#include <QVBoxLayout>
 
 #include <limits>
 
@@ -39,6 +40,37 @@ class MapViewTest : public QObject {
   Q_OBJECT
 
  private slots:
+  void aMessageThatGoesInMidPanDoesNotPushTheMap() {
+    QWidget window;
+    auto* strip = new QWidget;
+    auto* view = new MapView;
+    strip->setFixedHeight(28);
+    auto* layout = new QVBoxLayout(&window);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(0);
+    layout->addWidget(strip);
+    layout->addWidget(view, 1);
+    const cv::Mat pixels(600, 800, CV_8UC1, cv::Scalar(255));
+    const MapFrame frame = test::frameOf(pixels, kResolution, {{-3.0, 2.0}, 0.3});
+    view->setImage(TilePyramid::fromPixels(pixels));
+    view->setFrame(frame);
+    window.resize(640, 508);
+    window.show();
+    QVERIFY(QTest::qWaitForWindowExposed(&window));
+    view->fit();
+    const auto in_window = [&] { return view->mapTo(&window, view->widgetFromMetres({5.0, 5.0})); };
+    QTest::mousePress(view, Qt::LeftButton, {}, QPoint(300, 200));
+    QTest::mouseMove(view, QPoint(330, 220));
+    const QPointF before = in_window();
+    strip->hide();
+    QTRY_COMPARE(view->height(), 508);
+    QVERIFY(distance(in_window(), before) <= 1.0);
+    // The mouse stands where it stood, which is lower in the view now, and goes on.
+    QTest::mouseMove(view, QPoint(331, 248));
+    QVERIFY2(distance(in_window(), before + QPointF(1.0, 0.0)) <= 1.0, qPrintable(QString::number(in_window().y())));
+    QTest::mouseRelease(view, Qt::LeftButton, {}, QPoint(331, 248));
+  }
+
   void clickReportsMetres_data() {
     QTest::addColumn<double>("rotation");
     QTest::addColumn<double>("zoom");
