@@ -42,6 +42,7 @@ ViewPair::ViewPair(Session& session, MapView& blueprint, MapView& slam, QObject*
     refreshPending();
     refreshResiduals();
     refreshMesh();
+    mirrorCursor();
   });
   connect(&session_.alignment(), &Alignment::sigmaKnown, this, [this](const QPointF&, double sigma_m) {
     if (std::isfinite(sigma_m)) ghost_radius_m_ = kRingSigmas * sigma_m;
@@ -93,11 +94,11 @@ void ViewPair::connectView(Side side) {
   connect(&v, &MapView::deleteRequested, this, &ViewPair::deleteRequested);
   connect(&v, &MapView::cursorMoved, this, [this, side](const QPointF& point_m, const QPointF& image_px) {
     emit cursorMoved(side, point_m, image_px);
-    const std::optional<CarriedPoint> there = session_.carry(side, point_m);
-    view(otherSide(side))
-        .setMirroredCursor(there ? std::optional(there->point_m) : std::nullopt, there && there->certain);
+    cursor_ = Cursor{side, point_m};
+    mirrorCursor();
   });
   connect(&v, &MapView::cursorLeft, this, [this, side] {
+    if (cursor_ && cursor_->side == side) cursor_.reset();
     view(otherSide(side)).setMirroredCursor(std::nullopt);
     emit cursorLeft();
   });
@@ -106,6 +107,13 @@ void ViewPair::connectView(Side side) {
   // Keys go to the view that has the focus, and that is not the one under the mouse after a first click.
   connect(&v, &MapView::loupeHeld, this, [this, side](bool held) { view(otherSide(side)).setLoupeHeld(held); });
   connect(&v, &MapView::filesDropped, this, [this, side](const QStringList& paths) { emit filesDropped(side, paths); });
+}
+
+void ViewPair::mirrorCursor() {
+  if (!cursor_) return;
+  const std::optional<CarriedPoint> there = session_.carry(cursor_->side, cursor_->point_m);
+  view(otherSide(cursor_->side))
+      .setMirroredCursor(there ? std::optional(there->point_m) : std::nullopt, there && there->certain);
 }
 
 void ViewPair::cancelOrDeselect() {

@@ -70,6 +70,7 @@ class ViewPair : public QObject {
   void refreshResiduals();
   void refreshMesh();
   void link(Side leader);
+  void mirrorCursor();
   [[nodiscard]] std::vector<Marker> markersOf(Side side) const;
   [[nodiscard]] bool isPendingMarker(MarkerId id) const;
 
@@ -84,6 +85,11 @@ class ViewPair : public QObject {
   double magnification_ = 1.0;
   std::optional<double> ghost_radius_m_;
   bool ghost_shown_ = false;
+  struct Cursor {
+    Side side;
+    QPointF point_m;
+  };
+  std::optional<Cursor> cursor_;  // while it is over a view
 
   int gesture_ = 0;
   QPointF drag_start_m_;
