@@ -165,7 +165,8 @@ class ScreenshotsTest : public QObject {
   void problems() {
     OfficeWindow office;
     office.addExact(3);
-    office.window.files().relocate({RasterProblem::Kind::kMissing, Side::kBlueprint, {}, {}, {}, 0, {}},
+    const std::filesystem::path image = office.document().project().blueprint.metadata.image;
+    office.window.files().relocate({RasterProblem::Kind::kMissing, Side::kBlueprint, {}, image, {}, 0, {}},
                                    sandbox_->path(QStringLiteral("nowhere.png")));
     QTRY_VERIFY_WITH_TIMEOUT(office.hasMessage(QStringLiteral("image-0")), test::kPatience);
     shoot(office.window, "40-missing-image");
