@@ -2169,6 +2169,10 @@
         <translation>aus</translation>
     </message>
     <message>
+        <source>The point is on a corner that was found in the image</source>
+        <translation>Der Punkt liegt auf einer Ecke, die im Bild gefunden wurde</translation>
+    </message>
+    <message>
         <source>snapped</source>
         <translation>eingerastet</translation>
     </message>
@@ -2214,11 +2218,11 @@
     </message>
     <message>
         <source>SLAM map x (m)</source>
-        <translation>SLAM-Karte x (m)</translation>
+        <translation>Karte x (m)</translation>
     </message>
     <message>
         <source>SLAM map y (m)</source>
-        <translation>SLAM-Karte y (m)</translation>
+        <translation>Karte y (m)</translation>
     </message>
     <message>
         <source>Residual (cm)</source>
@@ -2321,6 +2325,14 @@
     <message>
         <source>Zoom at the cursor</source>
         <translation>Am Zeiger vergrößern</translation>
+    </message>
+    <message>
+        <source>Shift + wheel, drag the compass</source>
+        <translation>Umschalt + Rad, am Kompass ziehen</translation>
+    </message>
+    <message>
+        <source>Turn the map; a click on the compass turns it back</source>
+        <translation>Die Karte drehen; ein Klick auf den Kompass dreht sie zurück</translation>
     </message>
     <message>
         <source>Arrow keys</source>
@@ -2962,8 +2974,8 @@ Karten-YAML, PGM, PNG oder TIFF</translation>
         <translation>Dreimal in der Sekunde zwischen den Karten wechseln</translation>
     </message>
     <message>
-        <source>Show the whole map</source>
-        <translation>Die ganze Karte zeigen</translation>
+        <source>Show the whole map (F)</source>
+        <translation>Die ganze Karte zeigen (F)</translation>
     </message>
     <message>
         <source>SLAM map on blueprint</source>
@@ -3660,6 +3672,10 @@ Karten-YAML, PGM, PNG oder TIFF</translation>
 </context>
 <context>
     <name>cad2slam::ViewPair</name>
+    <message>
+        <source>Click the same place here (Enter accepts, Esc cancels)</source>
+        <translation>Dieselbe Stelle hier anklicken (Enter nimmt an, Esc bricht ab)</translation>
+    </message>
     <message>
         <source>Now click the same place here (Esc cancels)</source>
         <translation>Jetzt dieselbe Stelle hier anklicken (Esc bricht ab)</translation>

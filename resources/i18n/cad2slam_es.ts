@@ -2169,6 +2169,10 @@
         <translation>apagada</translation>
     </message>
     <message>
+        <source>The point is on a corner that was found in the image</source>
+        <translation>El punto está en una esquina hallada en la imagen</translation>
+    </message>
+    <message>
         <source>snapped</source>
         <translation>ajustada</translation>
     </message>
@@ -2321,6 +2325,14 @@
     <message>
         <source>Zoom at the cursor</source>
         <translation>Ampliar en el cursor</translation>
+    </message>
+    <message>
+        <source>Shift + wheel, drag the compass</source>
+        <translation>Mayús + rueda, arrastrar la brújula</translation>
+    </message>
+    <message>
+        <source>Turn the map; a click on the compass turns it back</source>
+        <translation>Girar el mapa; un clic en la brújula lo endereza</translation>
     </message>
     <message>
         <source>Arrow keys</source>
@@ -2962,8 +2974,8 @@ YAML de mapa, PGM, PNG o TIFF</translation>
         <translation>Cambiar entre los mapas tres veces por segundo</translation>
     </message>
     <message>
-        <source>Show the whole map</source>
-        <translation>Mostrar todo el mapa</translation>
+        <source>Show the whole map (F)</source>
+        <translation>Mostrar todo el mapa (F)</translation>
     </message>
     <message>
         <source>SLAM map on blueprint</source>
@@ -3660,6 +3672,10 @@ YAML de mapa, PGM, PNG o TIFF</translation>
 </context>
 <context>
     <name>cad2slam::ViewPair</name>
+    <message>
+        <source>Click the same place here (Enter accepts, Esc cancels)</source>
+        <translation>Haga clic aquí en el mismo lugar (Intro acepta, Esc cancela)</translation>
+    </message>
     <message>
         <source>Now click the same place here (Esc cancels)</source>
         <translation>Ahora haga clic en el mismo lugar aquí (Esc cancela)</translation>

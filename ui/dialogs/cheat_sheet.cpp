@@ -40,6 +40,7 @@ CheatSheet::CheatSheet(QWidget* parent, const Actions& actions) : QDialog(parent
   mouse += row(tr("Drag an anchor"), tr("Move it; Esc while dragging puts it back"));
   mouse += row(tr("Drag elsewhere, middle button, Space + drag"), tr("Move the map"));
   mouse += row(tr("Wheel"), tr("Zoom at the cursor"));
+  mouse += row(tr("Shift + wheel, drag the compass"), tr("Turn the map; a click on the compass turns it back"));
   mouse += row(tr("Arrow keys"), tr("Nudge the selected anchor by 1 pixel; Shift 10, Ctrl 0.1"));
   mouse += row(tr("Tab"), tr("Nudge the other half"));
   mouse += row(tr("Ctrl + click"), tr("Select several anchors"));

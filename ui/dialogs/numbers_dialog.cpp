@@ -6,6 +6,7 @@
 
 #include <QDialogButtonBox>
 #include <QFormLayout>
+#include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
 
@@ -17,6 +18,9 @@ NumbersDialog::NumbersDialog(QWidget* parent, const QString& title, const std::v
     : QDialog(parent) {
   setWindowTitle(title);
   auto* form = new QFormLayout(this);
+  auto* heading = new QLabel(title, this);  // the title bar of a dialog so small is cut
+  heading->setTextFormat(Qt::PlainText);
+  form->addRow(heading);
   for (const Field& field : fields) {
     Entry entry{new QLineEdit(this), {}, field.value.value_or(0.0)};
     if (field.value) entry.text = numberText(*field.value, 4);

@@ -156,7 +156,7 @@ void MainWindow::layOut() {
   addDockWidget(Qt::BottomDockWidgetArea, preview_dock_);
   splitDockWidget(anchor_dock_, preview_dock_, Qt::Horizontal);
   resizeDocks({anchor_dock_, preview_dock_}, {300, 300}, Qt::Vertical);
-  resizeDocks({anchor_dock_, preview_dock_}, {760, 600}, Qt::Horizontal);
+  resizeDocks({anchor_dock_, preview_dock_}, {800, 560}, Qt::Horizontal);
 
   const Menus menus = buildMenus(*this, *actions_);
   buildToolBar(*this, *actions_);
@@ -465,6 +465,7 @@ void MainWindow::storeViewState() {
   QJsonObject views = session_.document().viewState();
   views.insert(QStringLiteral("blueprint"), storedView(*blueprint_view_));
   views.insert(QStringLiteral("slam"), storedView(*slam_view_));
+  views.insert(QStringLiteral("slam_maps"), views_->seenMaps());
   session_.document().setViewState(views);
 }
 
@@ -473,6 +474,7 @@ void MainWindow::restoreViewState() {
   const QJsonObject& views = session_.document().viewState();
   restoreView(*blueprint_view_, views[u"blueprint"].toObject());
   restoreView(*slam_view_, views[u"slam"].toObject());
+  views_->setSeenMaps(views[u"slam_maps"].toObject());
 }
 
 void MainWindow::keyPressEvent(QKeyEvent* event) {

@@ -5,6 +5,7 @@
 #include "ui/convert.h"
 #include "ui/document/anchor_commands.h"
 #include "ui/main_window/mesh_overlay.h"
+#include "ui/main_window/stored_view.h"
 #include "ui/models/foreign_text.h"
 #include "ui/panels/marker_class.h"
 
@@ -26,6 +27,10 @@ ViewPair::ViewPair(Session& session, MapView& blueprint, MapView& slam, QObject*
   connectView(Side::kBlueprint);
   connectView(Side::kSlam);
   connect(&session_.document(), &ProjectDocument::changed, this, [this](const ChangeEvent& event) {
+    if (event.what & Change::kEverything) {  // names may be the same in another project
+      seen_maps_ = {};
+      shown_map_.clear();
+    }
     blueprint_.setLocked(session_.document().isLocked());
     slam_.setLocked(session_.document().isLocked());
     if (event.what & Change::kPending) {
@@ -179,11 +184,34 @@ void ViewPair::onRaster(Side side, bool new_picture) {
   const std::optional<MapFrame>& frame = session_.rasters().frame(side);
   if (frame && !new_picture) v.reframe(*frame);
   if (new_picture) {
+    if (side == Side::kSlam) rememberMap();
     if (frame) v.setFrame(*frame);
     v.setImage(frame ? session_.rasters().picture(side) : nullptr);
     if (frame) v.fit();
   }
+  if (frame && side == Side::kSlam) {
+    shown_map_ = session_.document().currentMapName();
+    if (new_picture) restoreView(v, seen_maps_[toQString(shown_map_)].toObject());
+  }
   refreshMarkers();
+}
+
+void ViewPair::rememberMap() {
+  if (!shown_map_.empty()) seen_maps_.insert(toQString(shown_map_), storedView(slam_));
+  shown_map_.clear();
+}
+
+QJsonObject ViewPair::seenMaps() {
+  QJsonObject seen;
+  for (const ProjectSlamMap& map : session_.document().project().slam_maps) {
+    const QString name = toQString(map.name);
+    if (map.name == shown_map_) {
+      seen.insert(name, storedView(slam_));
+    } else if (seen_maps_.contains(name)) {
+      seen.insert(name, seen_maps_[name]);
+    }
+  }
+  return seen;
 }
 
 std::vector<Marker> ViewPair::markersOf(Side side) const {
@@ -225,7 +253,11 @@ void ViewPair::refreshPending() {
   for (const Side side : {Side::kBlueprint, Side::kSlam}) {
     MapView& v = view(side);
     const bool due = pending && pending->side != side;
-    v.setAttention(due ? tr("Now click the same place here (Esc cancels)") : QString(), due);
+    const bool predicted = due && session_.flow().prediction();
+    v.setAttention(!due        ? QString()
+                   : predicted ? tr("Click the same place here (Enter accepts, Esc cancels)")
+                               : tr("Now click the same place here (Esc cancels)"),
+                   due);
     if (!due || !session_.flow().prediction()) {
       v.setGhost(std::nullopt);
       continue;

@@ -5,9 +5,11 @@
 #include "ui/main_window/session.h"
 #include "ui/views/map_view.h"
 
+#include <QJsonObject>
 #include <QObject>
 
 #include <optional>
+#include <string>
 
 namespace cad2slam {
 
@@ -34,6 +36,9 @@ class ViewPair : public QObject {
   void centerOnPlace(Side side, const QPointF& point_m);
   /// Only where it is not there yet.
   void bringIntoView(Side side, const QPointF& point_m);
+  /// What part of each SLAM map is seen, or was when it was last shown; by name.
+  [[nodiscard]] QJsonObject seenMaps();
+  void setSeenMaps(const QJsonObject& seen) { seen_maps_ = seen; }
   void setMagnification(double factor);
   [[nodiscard]] double magnification() const { return magnification_; }
   void setResidualsVisible(bool visible);
@@ -65,6 +70,7 @@ class ViewPair : public QObject {
   void onDragCancelled(Side side, MarkerId id);
   void onNudged(Side side, const QPointF& delta_m, int burst);
   void onRaster(Side side, bool new_picture);
+  void rememberMap();
   void refreshMarkers();
   void refreshPending();
   void refreshResiduals();
@@ -91,6 +97,8 @@ class ViewPair : public QObject {
   };
   std::optional<Cursor> cursor_;  // while it is over a view
 
+  QJsonObject seen_maps_;
+  std::string shown_map_;  // empty: none
   int gesture_ = 0;
   QPointF drag_start_m_;
   bool drag_start_snapped_ = false;

@@ -6,11 +6,28 @@
 
 #include <QCoreApplication>
 #include <QFontDatabase>
+#include <QPainter>
 #include <QStatusBar>
+#include <QStyle>
 
 namespace cad2slam {
 
-StatusStrip::StatusStrip(QStatusBar& bar) : hint_(new QLabel), readout_(new QLabel), chip_(new QToolButton) {
+namespace {
+
+/// A label of one line that ends in dots where it is too narrow for its text.
+class CutLabel : public QLabel {
+ protected:
+  void paintEvent(QPaintEvent*) override {
+    QPainter painter(this);
+    const QString shown = fontMetrics().elidedText(text(), Qt::ElideRight, width());
+    style()->drawItemText(&painter, rect(), Qt::AlignLeft | Qt::AlignVCenter | Qt::TextSingleLine, palette(),
+                          isEnabled(), shown, foregroundRole());
+  }
+};
+
+}  // namespace
+
+StatusStrip::StatusStrip(QStatusBar& bar) : hint_(new CutLabel), readout_(new QLabel), chip_(new QToolButton) {
   hint_->setObjectName(QStringLiteral("hint"));
   hint_->setTextFormat(Qt::PlainText);
   hint_->setAccessibleName(QCoreApplication::translate("StatusStrip", "What to do next"));

@@ -159,15 +159,16 @@ void paintCrosshair(QPainter& painter, const QSizeF& view, const QPointF& at) {
   painter.restore();
 }
 
-void paintEmpty(QPainter& painter, const QSizeF& view, const QString& text, const QPalette& palette, bool drop_hover) {
+void paintEmpty(QPainter& painter, const QSizeF& view, const QString& text, const QPalette& palette, EmptyLook look) {
+  const bool drop_hover = look == EmptyLook::kDropHover;
   painter.save();
   painter.setRenderHint(QPainter::Antialiasing);
-  const QColor ink = drop_hover ? attentionColor() : palette.color(QPalette::Disabled, QPalette::WindowText);
+  const QColor ink = drop_hover ? attentionColor() : palette.color(QPalette::PlaceholderText);
   QPen pen(ink, drop_hover ? 3.0 : 2.0);
   pen.setDashPattern({5.0, 4.0});
   painter.setPen(pen);
   const QRectF zone = QRectF(QPointF(0, 0), view).adjusted(24, 24, -24, -24);
-  painter.drawRoundedRect(zone, 12.0, 12.0);
+  if (look != EmptyLook::kText) painter.drawRoundedRect(zone, 12.0, 12.0);
   QFont font = painter.font();
   font.setPointSizeF(font.pointSizeF() * 1.15);
   painter.setFont(font);

@@ -34,7 +34,9 @@ void paintChip(QPainter& painter, const QPointF& top_middle, const QString& text
                double most_width_px);
 void paintAttentionFrame(QPainter& painter, const QSizeF& view, const QColor& color);
 void paintCrosshair(QPainter& painter, const QSizeF& view, const QPointF& at);
-void paintEmpty(QPainter& painter, const QSizeF& view, const QString& text, const QPalette& palette, bool drop_hover);
+/// Where a map would be: a drop zone, or only a text.
+enum class EmptyLook { kText, kDropZone, kDropHover };
+void paintEmpty(QPainter& painter, const QSizeF& view, const QString& text, const QPalette& palette, EmptyLook look);
 void paintFocus(QPainter& painter, const QSizeF& view, const QColor& color);
 
 [[nodiscard]] QColor attentionColor();

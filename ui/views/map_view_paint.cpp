@@ -69,10 +69,11 @@ void MapView::paintOverlays(QPainter& painter, const QTransform& widget_from_met
   paintPoses(painter, widget_from_metres, px_per_m, false);
   if (markers_visible_) paintMarkers(painter, widget_from_metres);
   paintResiduals(painter, widget_from_metres, true);
+  for (const PathGlyph& path : paths_) marker_painter_.paintPathText(painter, path, widget_from_metres);
   paintPoses(painter, widget_from_metres, px_per_m, true);
   if (ghost_) {  // over other anchors: it is what the next key or click is about
     marker_painter_.paintGhost(painter, widget_from_metres.map(ghost_->point_m), ghost_->radius_m * px_per_m,
-                               ghost_->text);
+                               ghost_->text, width());
   }
   if (mirrored_cursor_m_) {
     marker_painter_.paintMirroredCursor(painter, widget_from_metres.map(*mirrored_cursor_m_), mirrored_certain_);
@@ -198,7 +199,11 @@ void MapView::paintEvent(QPaintEvent*) {
   const bool has_image = raster_.source() != nullptr && frame_.has_value();
   if (!has_image) {
     painter.fillRect(rect(), palette().color(QPalette::Window));
-    decoration::paintEmpty(painter, view, empty_text_, palette(), drop_hover_);
+    using decoration::EmptyLook;
+    decoration::paintEmpty(painter, view, empty_text_, palette(),
+                           drop_hover_     ? EmptyLook::kDropHover
+                           : acceptDrops() ? EmptyLook::kDropZone
+                                           : EmptyLook::kText);
     if (hasFocus()) decoration::paintFocus(painter, view, palette().color(QPalette::Highlight));
     raster_.reserve((view * devicePixelRatioF()).toSize());
     marker_painter_.prepare(painter);

@@ -236,7 +236,8 @@ void MarkerPainter::paintLabel(QPainter& painter, const Marker& marker, const QP
   paintText(painter, at + QPointF(reach, 2.0 - reach), marker.text, colorOf(marker.judged));
 }
 
-void MarkerPainter::paintGhost(QPainter& painter, const QPointF& at, double radius_px, const QString& text) {
+void MarkerPainter::paintGhost(QPainter& painter, const QPointF& at, double radius_px, const QString& text,
+                               double view_width_px) {
   const QColor color = colorOf(MarkerClass::kPending);
   painter.save();
   painter.setRenderHint(QPainter::Antialiasing);
@@ -259,7 +260,11 @@ void MarkerPainter::paintGhost(QPainter& painter, const QPointF& at, double radi
   cross.addEllipse(at, 7.0, 7.0);
   strokeEdged(painter, cross, solidPen(color, 1.8));
   painter.restore();
-  paintText(painter, at + QPointF(12.0, -11.0), text, color);
+  constexpr double kBeside_px = 12.0;
+  useFont(painter.font());
+  const double width = QFontMetricsF(bold_).horizontalAdvance(text);
+  const bool fits = at.x() + kBeside_px + width < view_width_px || at.x() < kBeside_px + width;
+  paintText(painter, at + QPointF(fits ? kBeside_px : -kBeside_px - width, -11.0), text, color);
 }
 
 void MarkerPainter::paintResidual(QPainter& painter, const QPointF& from, const QPointF& to, MarkerClass judged) {
@@ -350,6 +355,10 @@ void MarkerPainter::paintPath(QPainter& painter, const PathGlyph& path, const QT
   if (path.dashed) pen.setDashPattern({3.0, 2.5});
   strokeEdged(painter, line, pen);
   painter.restore();
+}
+
+void MarkerPainter::paintPathText(QPainter& painter, const PathGlyph& path, const QTransform& widget_from_metres) {
+  if (path.points_m.size() < 2) return;
   paintText(painter, widget_from_metres.map(path.points_m.back()) + QPointF(8.0, -10.0), path.text, path.color);
 }
 

@@ -34,13 +34,15 @@ class MarkerPainter {
   [[nodiscard]] static QRectF coreOf(const QPointF& at, MarkerSize size);
   /// How far from the middle of a marker its text begins, in x and y.
   [[nodiscard]] static double labelReach(const Marker& marker, MarkerSize size);
-  void paintGhost(QPainter& painter, const QPointF& at, double radius_px, const QString& text);
+  /// The text is to the right of it, or to the left where the view ends.
+  void paintGhost(QPainter& painter, const QPointF& at, double radius_px, const QString& text, double view_width_px);
   void paintResidual(QPainter& painter, const QPointF& from, const QPointF& to, MarkerClass judged);
   void paintPose(QPainter& painter, const PoseGlyph& pose, const QPointF& at, double heading_on_screen_rad,
                  double radius_px, bool enlarged);
   /// A pose among hundreds: a short line with its heading.
   void paintPoseTick(QPainter& painter, const PoseGlyph& pose, const QPointF& at, double heading_on_screen_rad);
   void paintPath(QPainter& painter, const PathGlyph& path, const QTransform& widget_from_metres);
+  void paintPathText(QPainter& painter, const PathGlyph& path, const QTransform& widget_from_metres);
   void paintMirroredCursor(QPainter& painter, const QPointF& at, bool certain);
   void paintSnap(QPainter& painter, const QPointF& at);
   /// Text with an edge; `at` is the left end of its middle line.
