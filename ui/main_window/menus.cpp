@@ -9,6 +9,7 @@
 #include <QMainWindow>
 #include <QMenu>
 #include <QMenuBar>
+#include <QTableView>
 #include <QToolBar>
 
 #include <initializer_list>
@@ -92,6 +93,14 @@ void fillAnchorToolBar(AnchorPanel& panel, const Actions& actions) {
   add(*panel.toolBar(), actions,
       {kToggleEnabled, kDelete, kSwap, kDisableWorst, kSeparator, kCenterOnSelection, kPreviousWorst, kNextWorst,
        kSeparator, kLock});
+  QTableView* table = panel.table();
+  table->setContextMenuPolicy(Qt::CustomContextMenu);
+  QObject::connect(table, &QWidget::customContextMenuRequested, table, [table, &actions](const QPoint& at) {
+    if (!table->selectionModel()->hasSelection()) return;
+    QMenu menu(table);
+    fillAnchorMenu(menu, actions);
+    menu.exec(table->viewport()->mapToGlobal(at));
+  });
 }
 
 void fillAnchorMenu(QMenu& menu, const Actions& actions) {

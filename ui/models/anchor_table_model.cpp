@@ -4,6 +4,7 @@
 
 #include "ui/convert.h"
 #include "ui/document/anchor_commands.h"
+#include "ui/models/foreign_text.h"
 #include "ui/models/number_text.h"
 
 #include <QFont>
@@ -138,7 +139,7 @@ QString AnchorTableModel::flagText(const Anchor& anchor) const {
   }
   QString text = shapeOf(judged);
   if (!word.isEmpty()) text += QLatin1Char(' ') + word;
-  if (document_.isSnapped(anchor.id)) text += QStringLiteral(" ⌐ ") + tr("snapped");
+  if (document_.isSnapped(anchor.id)) text += QStringLiteral(" ⌐");
   return text;
 }
 
@@ -194,6 +195,10 @@ QString AnchorTableModel::tooltip(const Anchor& anchor, int column) const {
     return (judgement->is_check ? tr("Not used: the other anchors put this place %1 from where you clicked")
                                 : tr("The alignment puts this place %1 from where you clicked"))
         .arg(lengthAndPixels(*judgement->residual_m));
+  // Of any length, and mostly cut.
+  if (column == kName || column == kNote) return asPlainText(toQString(column == kName ? anchor.name : anchor.note));
+  if (column == kFlag && document_.isSnapped(anchor.id))
+    return tr("The point is on a corner that was found in the image");
   if (!isCoordinate(column)) return {};
   const bool in_blueprint = column == kBlueprintX || column == kBlueprintY;
   const std::optional<MapFrame>& frame = frames_[in_blueprint ? 0 : 1];
@@ -247,6 +252,8 @@ QVariant AnchorTableModel::data(const QModelIndex& index, int role) const {
     case Qt::AccessibleTextRole:
       if (column == kEnabled)
         return anchor.enabled ? tr("anchor %1, used").arg(anchor.id) : tr("anchor %1, not used").arg(anchor.id);
+      if (column == kFlag && document_.isSnapped(anchor.id))
+        return QString(flagText(anchor) + QLatin1Char(' ') + tr("snapped"));
       return {};
     default:
       return {};

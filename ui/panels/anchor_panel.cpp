@@ -27,6 +27,22 @@ QLabel* footerLabel(QHBoxLayout* layout, const QString& object_name, const QStri
   return label;
 }
 
+int widthInTwoLines(const QString& text, const QFontMetrics& metrics) {
+  int narrowest = metrics.horizontalAdvance(text);
+  for (qsizetype at = text.indexOf(QLatin1Char(' ')); at >= 0; at = text.indexOf(QLatin1Char(' '), at + 1))
+    narrowest = std::min(
+        narrowest, std::max(metrics.horizontalAdvance(text.left(at)), metrics.horizontalAdvance(text.mid(at + 1))));
+  return narrowest;
+}
+
+/// With the mark of a snapped point.
+int widestFlag(const QFontMetrics& metrics) {
+  int widest = 0;
+  for (const char* word : {"OK", "look", "bad", "off"})
+    widest = std::max(widest, metrics.horizontalAdvance(AnchorTableModel::tr(word)));
+  return widest + metrics.horizontalAdvance(QStringLiteral("◆  ⌐"));
+}
+
 }  // namespace
 
 AnchorPanel::AnchorPanel(ProjectDocument& document, AnchorSelection& selection, QWidget* parent)
@@ -50,6 +66,7 @@ AnchorPanel::AnchorPanel(ProjectDocument& document, AnchorSelection& selection, 
   table_->sortByColumn(AnchorTableModel::kNumber, Qt::AscendingOrder);
   table_->setAlternatingRowColors(true);
   table_->setWordWrap(false);
+  table_->setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
   table_->verticalHeader()->hide();
   table_->verticalHeader()->setDefaultSectionSize(table_->fontMetrics().height() + 6);
   table_->horizontalHeader()->setStretchLastSection(true);
@@ -61,20 +78,29 @@ AnchorPanel::AnchorPanel(ProjectDocument& document, AnchorSelection& selection, 
   table_->setItemDelegate(new CellDelegate(table_));
   table_->setItemDelegateForColumn(AnchorTableModel::kFlag, new FlagDelegate(table_));
   auto* delegate = new CoordinateDelegate(table_);
+  const auto digits = [&](int count) { return metrics.horizontalAdvance(QLatin1Char('0')) * count; };
   for (int column = 0; column < AnchorTableModel::kColumnCount; ++column) {
     const QString header = model_.headerData(column, Qt::Horizontal, Qt::DisplayRole).toString();
-    int width = metrics.horizontalAdvance(QStringLiteral("-1234.567")) + 12;
-    for (const QString& word : header.split(QLatin1Char(' ')))
-      width = std::max(width, metrics.horizontalAdvance(word) + 12);
-    table_->setColumnWidth(column, width);
+    const int of_words = widthInTwoLines(header, metrics);
+    const bool coordinate = column >= AnchorTableModel::kBlueprintX && column <= AnchorTableModel::kSlamY;
+    const QString number = coordinate ? QStringLiteral("-123.456") : QStringLiteral("123.4");
+    const int needed = std::max(of_words, metrics.horizontalAdvance(number));
+    widths_[static_cast<std::size_t>(column)] = {needed + 14, needed + 10};
   }
+  widths_[AnchorTableModel::kEnabled] = {digits(5), digits(4)};
+  widths_[AnchorTableModel::kNumber] = {digits(6), digits(4)};
+  widths_[AnchorTableModel::kName] = {digits(10), digits(4)};
+  widths_[AnchorTableModel::kFlag].wanted = widths_[AnchorTableModel::kFlag].least = widestFlag(metrics) + 10;
+  widths_[AnchorTableModel::kNote].wanted = std::max(digits(8), widths_[AnchorTableModel::kNote].wanted);
   for (int column = AnchorTableModel::kBlueprintX; column <= AnchorTableModel::kSlamY; ++column)
     table_->setItemDelegateForColumn(column, delegate);
-  table_->setColumnWidth(AnchorTableModel::kEnabled, metrics.horizontalAdvance(QLatin1Char('0')) * 5);
-  table_->setColumnWidth(AnchorTableModel::kNumber, metrics.horizontalAdvance(QLatin1Char('0')) * 6);
-  table_->setColumnWidth(AnchorTableModel::kName, metrics.horizontalAdvance(QLatin1Char('0')) * 10);
-  table_->setColumnWidth(AnchorTableModel::kFlag, metrics.horizontalAdvance(QLatin1Char('0')) * 10);
+  fitColumns();
   table_->installEventFilter(this);
+  table_->viewport()->installEventFilter(this);
+  connect(table_->horizontalHeader(), &QHeaderView::sectionResized, this, [this](int column) {
+    // The last one is resized by the table itself.
+    if (!fitting_ && column != AnchorTableModel::kNote) sized_by_hand_ = true;
+  });
 
   hint_ = new QLabel(tr("No anchors yet. Click a corner or pillar in either view, then the same place in the other."),
                      table_->viewport());
@@ -113,6 +139,26 @@ AnchorPanel::AnchorPanel(ProjectDocument& document, AnchorSelection& selection, 
   connect(table_, &QTableView::doubleClicked, this,
           [this](const QModelIndex& index) { emit jumpRequested(model_.idOfRow(sorted_.mapToSource(index).row())); });
   setSummary({}, false);
+}
+
+void AnchorPanel::fitColumns() {
+  if (sized_by_hand_) return;
+  int missing = -table_->viewport()->width();
+  for (const ColumnWidth& width : widths_) missing += width.wanted;
+  fitting_ = true;
+  const auto give = [&](int column, int parts) {
+    const ColumnWidth& width = widths_[static_cast<std::size_t>(column)];
+    const int given = std::clamp((missing + parts - 1) / parts, 0, width.wanted - width.least);
+    missing -= given;
+    if (column != AnchorTableModel::kNote) table_->setColumnWidth(column, width.wanted - given);
+  };
+  // What is read least gives way first; numbers that an anchor is judged by come last.
+  give(AnchorTableModel::kNote, 1);
+  give(AnchorTableModel::kName, 1);
+  constexpr int kLastToGive = AnchorTableModel::kFlag;
+  for (int column = 0; column <= kLastToGive; ++column)
+    if (column != AnchorTableModel::kName) give(column, kLastToGive + 1 - column);
+  fitting_ = false;
 }
 
 void AnchorPanel::takeSelection() {
@@ -181,6 +227,7 @@ std::optional<AnchorId> AnchorPanel::nextByError(std::optional<AnchorId> after, 
 }
 
 bool AnchorPanel::eventFilter(QObject* watched, QEvent* event) {
+  if (watched == table_->viewport() && event->type() == QEvent::Resize) fitColumns();
   if (watched == table_ && event->type() == QEvent::KeyPress) {
     const auto* key = static_cast<QKeyEvent*>(event);
     if (key->key() == Qt::Key_Space && key->modifiers() == Qt::NoModifier) {

@@ -9,6 +9,7 @@
 #include <QSortFilterProxyModel>
 #include <QWidget>
 
+#include <array>
 #include <optional>
 
 class QLabel;
@@ -41,6 +42,11 @@ class AnchorPanel : public QWidget {
   bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
+  struct ColumnWidth {
+    int wanted = 0;
+    int least = 0;
+  };
+  void fitColumns();
   void takeSelection();
   void showSelection();
 
@@ -50,6 +56,9 @@ class AnchorPanel : public QWidget {
   QSortFilterProxyModel sorted_;
   QToolBar* tool_bar_;
   QTableView* table_;
+  std::array<ColumnWidth, AnchorTableModel::kColumnCount> widths_;
+  bool fitting_ = false;
+  bool sized_by_hand_ = false;
   QLabel* hint_;
   QLabel* count_;
   QLabel* rms_;

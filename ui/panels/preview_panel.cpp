@@ -3,6 +3,7 @@
 #include "ui/panels/preview_panel.h"
 
 #include <cmath>
+#include <initializer_list>
 
 #include <QAbstractSpinBox>
 #include <QApplication>
@@ -13,6 +14,7 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QPlainTextEdit>
+#include <QResizeEvent>
 #include <QSlider>
 #include <QTextEdit>
 #include <QToolButton>
@@ -42,6 +44,8 @@ constexpr ModeRow kModes[] = {
     {PreviewMode::kAllMaps, QT_TRANSLATE_NOOP("cad2slam::PreviewPanel", "All SLAM maps"), "all_maps"},
 };
 static_assert(std::size(kModes) == kPreviewModeCount);
+
+constexpr int kLeastSlider_px = 70;
 
 bool isTyping(const QWidget* focused) {
   return qobject_cast<const QLineEdit*>(focused) != nullptr || qobject_cast<const QTextEdit*>(focused) != nullptr ||
@@ -79,6 +83,7 @@ PreviewPanel::PreviewPanel(QWidget* parent)
 
   opacity_->setRange(0, 100);
   opacity_->setValue(static_cast<int>(std::lround(view_->opacity() * 100.0)));
+  opacity_->setMinimumWidth(kLeastSlider_px);
   opacity_->setMaximumWidth(160);
   opacity_->setToolTip(tr("How opaque the upper map is ([ and ])"));
   opacity_->setAccessibleName(tr("Opacity"));
@@ -89,7 +94,6 @@ PreviewPanel::PreviewPanel(QWidget* parent)
 
   direction_->setIcon(icon(QStringLiteral("direction")));
   direction_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
-  direction_->setToolTip(tr("Which map lies below (Shift+O)"));
   connect(direction_, &QToolButton::clicked, this, &PreviewPanel::swapDirection);
 
   auto_blink_->setIcon(icon(QStringLiteral("blink")));
@@ -99,9 +103,10 @@ PreviewPanel::PreviewPanel(QWidget* parent)
   auto_blink_->setCheckable(true);
   connect(auto_blink_, &QToolButton::toggled, view_, &PreviewView::setAutoBlink);
 
-  auto* fit = new QToolButton(this);
+  fit_ = new QToolButton(this);
+  QToolButton* fit = fit_;
   fit->setIcon(icon(QStringLiteral("fit")));
-  fit->setToolTip(tr("Show the whole map"));
+  fit->setToolTip(tr("Show the whole map (F)"));
   fit->setAccessibleName(fit->toolTip());
   connect(fit, &QToolButton::clicked, view_, &MapView::fit);
 
@@ -131,6 +136,30 @@ void PreviewPanel::showControls() {
   auto_blink_->setVisible(now == PreviewMode::kBlink);
   direction_->setText(blueprint_below_ ? tr("SLAM map on blueprint") : tr("Blueprint on SLAM map"));
   direction_->setEnabled(now != PreviewMode::kAllMaps);
+  fitControls();
+}
+
+void PreviewPanel::fitControls() {
+  direction_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+  const auto wanted = [](const QWidget* widget) { return widget->isHidden() ? 0 : widget->sizeHint().width() + 8; };
+  int all = 0;
+  for (const QWidget* widget : std::initializer_list<QWidget*>{modes_, direction_, auto_blink_, opacity_label_, fit_})
+    all += wanted(widget);
+  if (!opacity_->isHidden()) all += kLeastSlider_px + 8;
+  // Where there is no room for words, icons have to do; tool tips say the same.
+  const bool narrow = all > width();
+  direction_->setToolButtonStyle(narrow ? Qt::ToolButtonIconOnly : Qt::ToolButtonTextBesideIcon);
+  direction_->setToolTip(direction_->text() + QLatin1Char('\n') + tr("Which map lies below (Shift+O)"));
+}
+
+void PreviewPanel::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  fitControls();
+}
+
+QSize PreviewPanel::minimumSizeHint() const {
+  // Not that of the words: they give way.
+  return {modes_->minimumSizeHint().width() + kLeastSlider_px + 120, QWidget::minimumSizeHint().height()};
 }
 
 void PreviewPanel::setMode(PreviewMode mode) {

@@ -25,6 +25,7 @@ class PreviewPanel : public QWidget {
   [[nodiscard]] PreviewMode mode() const { return view_->mode(); }
   /// Whether the blueprint lies below and the SLAM map above, or the other way round.
   [[nodiscard]] bool isBlueprintBelow() const { return blueprint_below_; }
+  [[nodiscard]] QSize minimumSizeHint() const override;
 
  public slots:
   void setMode(cad2slam::PreviewMode mode);
@@ -40,9 +41,11 @@ class PreviewPanel : public QWidget {
  protected:
   /// B works wherever the keyboard is, but never while something is typed.
   bool eventFilter(QObject* watched, QEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
 
  private:
   void showControls();
+  void fitControls();
 
   PreviewView* view_;
   QComboBox* modes_;
@@ -50,6 +53,7 @@ class PreviewPanel : public QWidget {
   QSlider* opacity_;
   QToolButton* direction_;
   QToolButton* auto_blink_;
+  QToolButton* fit_ = nullptr;
   bool blueprint_below_ = true;
 };
 

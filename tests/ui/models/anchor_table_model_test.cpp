@@ -56,6 +56,20 @@ class AnchorTableModelTest : public QObject {
     QCOMPARE(document_.undoStack().count(), steps + 1);
   }
 
+  void whatIsCutIsToldInFull() {
+    TableModel model(document_);
+    const auto tip = [&](int column) { return model.data(model.index(0, column), Qt::ToolTipRole).toString(); };
+    edit::rename(document_, 1, "the third pillar to the left of the <b>main</b> entrance");
+    edit::setNote(document_, 1, "hidden by a shelf");
+    QVERIFY(tip(TableModel::kName).contains(QStringLiteral("main")));
+    QVERIFY(!Qt::mightBeRichText(tip(TableModel::kName)) || !tip(TableModel::kName).contains(QStringLiteral("<b>")));
+    QCOMPARE(tip(TableModel::kNote), QStringLiteral("hidden by a shelf"));
+    QVERIFY(tip(TableModel::kFlag).isEmpty());
+    edit::moveAnchor(document_, 1, Side::kBlueprint, {2, 2}, document_.newGesture(), false, true);
+    QVERIFY(document_.isSnapped(1));
+    QVERIFY(!tip(TableModel::kFlag).isEmpty());
+  }
+
   void leavingTheTextAloneDoesNotRound() {
     TableModel model(document_);
     const QModelIndex cell = model.index(0, TableModel::kBlueprintX);

@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/panels/preview_panel.h"
 
+#include <QSlider>
 #include <QTest>
+#include <QToolButton>
 
 using namespace cad2slam;
 
@@ -24,6 +26,21 @@ class PreviewPanelTest : public QObject {
     QTest::keyPress(beside, Qt::Key_B);
     QTest::keyRelease(beside, Qt::Key_B, Qt::ShiftModifier);
     QVERIFY(!panel->view().isBlinkHeld());
+  }
+
+  void theOpacityCanBeSetInANarrowPanel() {
+    PreviewPanel panel;
+    for (const int width : {panel.minimumSizeHint().width(), 420, 900}) {
+      panel.resize(width, 300);
+      panel.show();
+      QVERIFY(QTest::qWaitForWindowExposed(&panel));
+      const auto* slider = panel.findChild<QSlider*>();
+      QVERIFY(slider && slider->width() >= 70);
+      const QRect in_panel(slider->mapTo(&panel, QPoint()), slider->size());
+      QVERIFY(panel.rect().contains(in_panel));
+      for (const QToolButton* button : panel.findChildren<QToolButton*>())
+        QVERIFY(!button->isVisible() || !in_panel.intersects(QRect(button->mapTo(&panel, QPoint()), button->size())));
+    }
   }
 
   /// Alt+Tab: the release of the key goes elsewhere.

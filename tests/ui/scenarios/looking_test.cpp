@@ -7,6 +7,7 @@
 #include "ui/document/project_commands.h"
 #include "ui/main_window/appearance.h"
 #include "ui/main_window/exports.h"
+#include "ui/panels/anchor_panel.h"
 #include "ui/panels/preview_panel.h"
 #include "ui/panels/status_strip.h"
 #include "ui/support/office_window.h"
@@ -18,6 +19,7 @@
 #include <QScrollArea>
 #include <QScrollBar>
 #include <QSet>
+#include <QTableView>
 #include <QXmlStreamReader>
 
 using namespace cad2slam;
@@ -259,6 +261,47 @@ class LookingTest : public QObject {
     office.document().undoStack().redo();
     QVERIFY(office.waitUntilSolved());
     QTRY_VERIFY_WITH_TIMEOUT(is_kept(), test::kPatience);
+  }
+
+  void everySlamMapIsSeenAgainAsItWasLeft() {
+    OfficeWindow office;
+    const std::string first = office.document().currentMapName();
+    MapView& view = office.window.view(Side::kSlam);
+    view.zoomBy(4.0);
+    view.centerOn(toQPointF(office.pairs[4].in_slam), false);
+    const ViewState of_first = view.viewState();
+    QVERIFY(office.window.files().setImage(Side::kSlam, OfficeWindow::sample("slam_2.yaml")));
+    QVERIFY(office.waitUntilReady());
+    const std::string second = office.document().currentMapName();
+    QVERIFY(second != first);
+    QVERIFY(view.isFitted());
+    const auto show = [&](const std::string& map) {
+      office.document().setCurrentMap(map);
+      return office.waitUntilReady();
+    };
+    QVERIFY(show(first));
+    QVERIFY(view.viewState() == of_first);
+    QVERIFY(show(second));
+    QVERIFY(view.isFitted());
+    const QJsonObject seen = office.window.views().seenMaps();
+    QCOMPARE(seen.size(), 2);
+    QVERIFY(seen[toQString(second)].toObject()[u"fitted"].toBool());
+    office.document().reset(Project{}, {});
+    QVERIFY(office.window.views().seenMaps().isEmpty());
+  }
+
+  void everyColumnIsSeenInTheWindowOfTheStart() {
+    OfficeWindow office;
+    office.addExact(12);
+    office.window.resize(1360, 860);
+    const QTableView* table = office.window.anchorPanel().table();
+    QTRY_COMPARE(table->horizontalScrollBar()->maximum(), 0);
+    for (int column = 0; column < AnchorTableModel::kColumnCount; ++column) QVERIFY(table->columnWidth(column) >= 30);
+    // In a smaller one the verdicts come before notes and names.
+    office.window.resize(1024, 700);
+    const auto right = [&](int column) { return table->columnViewportPosition(column) + table->columnWidth(column); };
+    QTRY_VERIFY(right(AnchorTableModel::kFlag) <= table->viewport()->width());
+    QCOMPARE(table->horizontalScrollBar()->value(), 0);
   }
 
   void scenario27_everyFieldAndButtonHasANameForScreenReaders() {
