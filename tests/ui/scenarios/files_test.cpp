@@ -13,6 +13,7 @@
 #include <QFile>
 #include <QMessageBox>
 #include <QPushButton>
+#include <QRegularExpression>
 #include <QTimer>
 
 #include <algorithm>
@@ -432,7 +433,7 @@ class FilesTest : public QObject {
     QVERIFY(html.contains(QStringLiteral("pillar &amp; &lt;door&gt;")));
     QVERIFY(html.contains(QStringLiteral("look at anchor 3")));
     for (const Anchor& anchor : office.document().anchors())
-      QVERIFY(html.contains(QStringLiteral("<td align=\"left\">%1</td>").arg(anchor.id)));
+      QVERIFY(html.contains(QRegularExpression(QStringLiteral("<td[^>]*>%1</td>").arg(anchor.id))));
     const QString path = sandbox_->path(QStringLiteral("report.pdf"));
     QVERIFY(saveReport(office.window, path));
     QFile file(path);
