@@ -37,20 +37,20 @@ struct Text {
   Q_DECLARE_TR_FUNCTIONS(Report)
 };
 
-/// Numbers are not broken into lines: a row of more than one could be cut by the end of a page.
 QString row(const QStringList& cells, const char* tag = "td") {
   QString html = QStringLiteral("<tr>");
-  for (const QString& cell : cells) {
-    const bool is_number = !cell.isEmpty() && (cell.front().isDigit() || cell.front() == QLatin1Char('-'));
-    html += QStringLiteral("<%1 align=\"left\"%2>%3</%1>")
-                .arg(QLatin1String(tag), is_number ? QStringLiteral(" style=\"white-space: nowrap\"") : QString(),
-                     cell.toHtmlEscaped());
-  }
+  for (const QString& cell : cells)
+    html += QStringLiteral("<%1 align=\"left\">%2</%1>").arg(QLatin1String(tag), cell.toHtmlEscaped());
   return html + QStringLiteral("</tr>");
 }
 
+/// For numbers: a row of more than one line could be cut by the end of a page.
+QString inOneLine(QString text) {
+  return text.replace(QLatin1Char(' '), QChar(QChar::Nbsp));
+}
+
 QString length(const std::optional<double>& value_m) {
-  return value_m ? lengthText(*value_m) : QStringLiteral("–");
+  return value_m ? inOneLine(lengthText(*value_m)) : QStringLiteral("–");
 }
 
 QString wordOf(AnchorClass judged) {
@@ -164,7 +164,7 @@ QString reportHtml(Session& session, const ReportExtras& extras) {
               "th") +
           QStringLiteral("</thead>");
   const auto place = [](const Eigen::Vector2d& point) {
-    return metresText(point.x()) + QStringLiteral("; ") + metresText(point.y());
+    return inOneLine(metresText(point.x()) + QStringLiteral("; ") + metresText(point.y()));
   };
   for (const Anchor& anchor : document.anchors()) {
     const auto found = session.judgements().find(anchor.id);
