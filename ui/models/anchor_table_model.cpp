@@ -7,6 +7,7 @@
 #include "ui/models/foreign_text.h"
 #include "ui/models/number_text.h"
 
+#include <QCoreApplication>
 #include <QFont>
 #include <QGuiApplication>
 #include <QPalette>
@@ -202,9 +203,10 @@ QString AnchorTableModel::tooltip(const Anchor& anchor, int column) const {
   if (!isCoordinate(column)) return {};
   const bool in_blueprint = column == kBlueprintX || column == kBlueprintY;
   const std::optional<MapFrame>& frame = frames_[in_blueprint ? 0 : 1];
-  if (!frame) return {};
+  const QString metres = QCoreApplication::translate("units", "%1 m").arg(metresText(coordinate(anchor, column)));
+  if (!frame) return metres;
   const Eigen::Vector2d pixel = frame->pixelFromMetric(in_blueprint ? anchor.in_blueprint : anchor.in_slam);
-  return tr("In the image at %1 px").arg(pairText(pixel.x(), pixel.y(), 1));
+  return metres + QLatin1Char('\n') + tr("In the image at %1 px").arg(pairText(pixel.x(), pixel.y(), 1));
 }
 
 QString AnchorTableModel::lengthAndPixels(double length_m) const {

@@ -83,9 +83,11 @@ AnchorPanel::AnchorPanel(ProjectDocument& document, AnchorSelection& selection, 
     const QString header = model_.headerData(column, Qt::Horizontal, Qt::DisplayRole).toString();
     const int of_words = widthInTwoLines(header, metrics);
     const bool coordinate = column >= AnchorTableModel::kBlueprintX && column <= AnchorTableModel::kSlamY;
-    const QString number = coordinate ? QStringLiteral("-123.456") : QStringLiteral("123.4");
-    const int needed = std::max(of_words, metrics.horizontalAdvance(number));
-    widths_[static_cast<std::size_t>(column)] = {needed + 14, needed + 10};
+    const auto around = [&](const char* number) {
+      return std::max(of_words, metrics.horizontalAdvance(QLatin1String(number))) + 10;
+    };
+    widths_[static_cast<std::size_t>(column)] = {around(coordinate ? "-1234.567" : "1234.5"),
+                                                 around(coordinate ? "-123.456" : "123.4")};
   }
   widths_[AnchorTableModel::kEnabled] = {digits(5), digits(4)};
   widths_[AnchorTableModel::kNumber] = {digits(6), digits(4)};

@@ -22,7 +22,7 @@ constexpr double kLoupeZoom = 4.0;
 
 // Nearer to each other, markers of normal size hide each other, and markers with their numbers the map between them.
 constexpr double kMarkersCrowd_px = 14.0;
-constexpr double kMapIsHidden_px = 42.0;
+constexpr double kMapIsHidden_px = 60.0;
 
 /// Whether a good part of the places are closer than that to another one.
 bool isCrowd(std::vector<QPointF> by_x, double too_close_px) {

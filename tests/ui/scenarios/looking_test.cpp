@@ -286,8 +286,14 @@ class LookingTest : public QObject {
     const QJsonObject seen = office.window.views().seenMaps();
     QCOMPARE(seen.size(), 2);
     QVERIFY(seen[toQString(second)].toObject()[u"fitted"].toBool());
+    const QString saved = sandbox_->path(QStringLiteral("views.c2sproj"));
+    QVERIFY(office.window.files().saveProjectTo(saved));
     office.document().reset(Project{}, {});
     QVERIFY(office.window.views().seenMaps().isEmpty());
+    QVERIFY(office.window.files().openProject(saved) && office.waitUntilReady());
+    QVERIFY(view.isFitted());
+    QVERIFY(show(first));
+    QVERIFY(view.viewState() == of_first);
   }
 
   void everyColumnIsSeenInTheWindowOfTheStart() {

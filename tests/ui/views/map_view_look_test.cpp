@@ -124,6 +124,29 @@ class MapViewLookTest : public QObject {
     QVERIFY(std::abs(turned[0][1].toDouble() - kPi / 2.0) < 0.05);
   }
 
+  void theTextOfAGhostIsInsideTheView() {
+    Shown shown;
+    const QImage before = shown.view.grab().toImage();
+    const auto reachOf = [&](double x_px) {  // to the left and to the right of it
+      shown.view.setGhost(Ghost{shown.view.metresFromWidget({x_px, 200.0}), 0.0, QStringLiteral("19? Enter accepts")});
+      const QImage with_ghost = shown.view.grab().toImage();
+      const double ratio = shown.view.devicePixelRatioF();
+      double left = 0.0;
+      double right = 0.0;
+      for (int y = 0; y < before.height(); ++y)
+        for (int x = 0; x < before.width(); ++x) {
+          if (before.pixel(x, y) == with_ghost.pixel(x, y)) continue;
+          left = std::max(left, x_px - x / ratio);
+          right = std::max(right, x / ratio - x_px);
+        }
+      return std::pair(left, right);
+    };
+    const auto [left, right] = reachOf(300.0);
+    QVERIFY(left < 20.0 && right > 60.0);
+    const auto [left_at_edge, right_at_edge] = reachOf(600.0);
+    QVERIFY(left_at_edge > 60.0 && right_at_edge < 20.0);
+  }
+
   void aLargeRobotIsSeenWhileAPartOfItIsInView() {
     Shown shown;
     const double view_m = shown.view.width() * shown.view.viewState().m_per_px;

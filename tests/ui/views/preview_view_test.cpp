@@ -215,7 +215,7 @@ class PreviewViewTest : public QObject {
         for (int x = 0; x < after.width(); ++x) count += after.pixel(x, y) != before.pixel(x, y);
       return count;
     };
-    QVERIFY(4 * changed(30.0) < changed(60.0));
+    QVERIFY(4 * changed(30.0) < changed(78.0));
   }
 
   void pictureOfAnotherModeIsNotTaken() {
