@@ -9,7 +9,7 @@ namespace cad2slam {
 namespace {
 
 constexpr double kCell_px = 40.0;
-constexpr double kTextEdge_px = 2.0;
+constexpr double kTextEdge_px = 4.0;  // its halo, and the frame of a view with the focus
 constexpr double kBeyond_px = 120.0;  // texts of markers just outside of the view count as well
 
 /// Beside a marker: -1, 0 or 1 to the right of its middle and below it.
