@@ -87,15 +87,20 @@ QString translated(const QString& text, int nested) {
   return text;
 }
 
+QString capitalized(QString text) {
+  if (!text.isEmpty()) text[0] = text[0].toUpper();
+  return text;
+}
+
 }  // namespace
 
 QString toSentence(const Error& error) {
   const QString message = translated(toQString(error.message), kNested);
-  if (error.where.empty()) return message;
+  if (error.where.empty()) return capitalized(message);
   const QString place = toQString(error.where);
   // The name of a file may read like a sentence.
   const bool is_path = place.contains(QLatin1Char('/'));
-  return (is_path ? place : translated(place, 0)) + QStringLiteral(": ") + message;
+  return (is_path ? place : capitalized(translated(place, 0))) + QStringLiteral(": ") + message;
 }
 
 QString translatedSentence(const std::string& english) {

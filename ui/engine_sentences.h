@@ -14,7 +14,7 @@ namespace cad2slam {
 // The engine knows no Qt and makes its sentences in English. Here they get the language of the application: each is
 // recognised by the words that it always holds. What is not recognised stays as it is. From any thread.
 
-/// What Error::sentence() says. File names stay as they are.
+/// What Error::sentence() says, as a sentence of its own with a capital letter. File names stay as they are.
 [[nodiscard]] QString toSentence(const Error& error);
 /// A warning of the engine, or why it left out a line.
 [[nodiscard]] QString translatedSentence(const std::string& english);

@@ -2591,6 +2591,18 @@
 <context>
     <name>cad2slam::Exports</name>
     <message>
+        <source>Whether it fits the images of this project is not known</source>
+        <translation>Ob er zu den Bildern dieses Projekts passt, ist nicht bekannt</translation>
+    </message>
+    <message>
+        <source>It was made from the images that are shown here</source>
+        <translation>Er wurde aus den Bildern gemacht, die hier gezeigt werden</translation>
+    </message>
+    <message>
+        <source>To SLAM map &quot;%1&quot;: %2 nodes, %3 anchors; from project %4, %5, by %6</source>
+        <translation>Zur SLAM-Karte „%1“: %2 Knoten, %3 Anker; aus Projekt %4, %5, von %6</translation>
+    </message>
+    <message>
         <source>The last solve was stopped, so there is nothing current to export</source>
         <translation>Das letzte Lösen wurde angehalten, darum gibt es nichts Aktuelles zu exportieren</translation>
     </message>
@@ -2676,12 +2688,8 @@
         <translation>Projektor nach %1 geschrieben, wieder gelesen und an %2 Stellen verglichen</translation>
     </message>
     <message>
-        <source>%1: made by %2 on %3 from project %4; blueprint to SLAM map &quot;%5&quot;, %6 nodes, %7 anchors</source>
-        <translation>%1: gemacht von %2 am %3 aus Projekt %4; Bauplan zu SLAM-Karte „%5“, %6 Knoten, %7 Anker</translation>
-    </message>
-    <message>
         <source>an unknown date</source>
-        <translation>einem unbekannten Tag</translation>
+        <translation>an einem unbekannten Tag</translation>
     </message>
     <message>
         <source>(not saved)</source>

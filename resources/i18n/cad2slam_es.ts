@@ -2591,6 +2591,18 @@
 <context>
     <name>cad2slam::Exports</name>
     <message>
+        <source>Whether it fits the images of this project is not known</source>
+        <translation>No se sabe si corresponde a las imágenes de este proyecto</translation>
+    </message>
+    <message>
+        <source>It was made from the images that are shown here</source>
+        <translation>Se hizo con las imágenes que se muestran aquí</translation>
+    </message>
+    <message>
+        <source>To SLAM map &quot;%1&quot;: %2 nodes, %3 anchors; from project %4, %5, by %6</source>
+        <translation>Al mapa SLAM «%1»: %2 nodos, %3 anclas; del proyecto %4, %5, por %6</translation>
+    </message>
+    <message>
         <source>The last solve was stopped, so there is nothing current to export</source>
         <translation>La última resolución se detuvo, así que no hay nada actual que exportar</translation>
     </message>
@@ -2676,12 +2688,8 @@
         <translation>Proyector escrito en %1, leído de nuevo y comparado en %2 lugares</translation>
     </message>
     <message>
-        <source>%1: made by %2 on %3 from project %4; blueprint to SLAM map &quot;%5&quot;, %6 nodes, %7 anchors</source>
-        <translation>%1: hecho por %2 el %3 del proyecto %4; plano a mapa SLAM «%5», %6 nodos, %7 anclas</translation>
-    </message>
-    <message>
         <source>an unknown date</source>
-        <translation>una fecha desconocida</translation>
+        <translation>fecha desconocida</translation>
     </message>
     <message>
         <source>(not saved)</source>

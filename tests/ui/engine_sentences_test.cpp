@@ -68,6 +68,11 @@ QString sentenceWith(const QString& pattern, const QString& value) {
   return sentence;
 }
 
+QString capitalized(QString text) {
+  if (!text.isEmpty()) text[0] = text[0].toUpper();
+  return text;
+}
+
 template <class T>
 QString translationOf(const Result<T>& failed) {
   return toSentence(failed.error());
@@ -119,11 +124,20 @@ class EngineSentencesTest : public QObject {
         const std::string message = toStd(sentenceWith(QString::fromUtf8(english), value));
         for (const std::string& where : {std::string(), std::string("/maps/a: b.yaml:7"), std::string("anchor 12")}) {
           const Error error{ErrorCode::kMalformed, message, where};
-          QCOMPARE(toSentence(error), toQString(error.sentence()));
+          QCOMPARE(toSentence(error), capitalized(toQString(error.sentence())));
         }
         QCOMPARE(translatedSentence(message), toQString(message));
       }
     }
+  }
+
+  void whatStandsByItselfBeginsWithACapitalLetter() {
+    QCOMPARE(toSentence({ErrorCode::kDegenerate, "the mesh has no node", ""}), QStringLiteral("The mesh has no node"));
+    QCOMPARE(toSentence({ErrorCode::kDegenerate, "its number is used twice", "anchor 3"}),
+             QStringLiteral("Anchor 3: its number is used twice"));
+    QCOMPARE(toSentence({ErrorCode::kMalformed, "is empty", "maps/slam.yaml"}),
+             QStringLiteral("maps/slam.yaml: is empty"));
+    QCOMPARE(translatedSentence("the mesh has no node"), QStringLiteral("the mesh has no node"));
   }
 
   void namesThatAreNoUtf8AreShownAsBefore() {

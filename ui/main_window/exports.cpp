@@ -325,27 +325,34 @@ bool Exports::inspectProjector(const QString& path) {
     return false;
   }
   const ProjectorInfo& info = data->info;
-  QString text = tr("%1: made by %2 on %3 from project %4; blueprint to SLAM map \"%5\", %6 nodes, %7 anchors")
-                     .arg(QFileInfo(path).fileName(), toQString(info.creator), dateText(info.created),
-                          info.project.empty() ? tr("(not saved)") : toQString(info.project), toQString(info.slam.name))
-                     .arg(data->node_slam.size())
-                     .arg(data->anchors.size());
+  const auto isSame = [this](const FrameInfo& frame, Side side) -> std::optional<bool> {
+    const std::string& now = session_.rasters().imageHash(side);
+    if (frame.image_sha256.empty() || now.empty()) return std::nullopt;
+    return frame.image_sha256 == now;
+  };
+  const std::optional<bool> same_blueprint = isSame(info.blueprint, Side::kBlueprint);
+  const std::optional<bool> same_slam = isSame(info.slam, Side::kSlam);
+  QStringList verdicts;
+  if (same_blueprint == false) verdicts += tr("Its blueprint is not the image of this project");
+  if (same_slam == false) verdicts += tr("Its SLAM map is not the one being edited");
+  const bool other = !verdicts.isEmpty();
+  if (!other)
+    verdicts += same_blueprint && same_slam ? tr("It was made from the images that are shown here")
+                                            : tr("Whether it fits the images of this project is not known");
   const auto hash = [](const FrameInfo& frame) {
     constexpr int kShown = 12;  // enough to compare by eye
     return frame.image_sha256.empty() ? tr("not known") : toQString(frame.image_sha256).left(kShown);
   };
-  text += QStringLiteral(". ") +
-          tr("SHA-256 of the images: blueprint %1, SLAM map %2").arg(hash(info.blueprint), hash(info.slam));
-  if (!info.note.empty()) text += QStringLiteral(". ") + tr("Exported in spite of: %1").arg(toQString(info.note));
-  const auto differs = [](const FrameInfo& frame, const ProjectRaster& raster) {
-    return !frame.image_sha256.empty() && !raster.image_sha256.empty() && frame.image_sha256 != raster.image_sha256;
-  };
-  ProjectDocument& document = session_.document();
-  const bool other_blueprint = document.hasBlueprint() && differs(info.blueprint, document.project().blueprint);
-  const bool other_slam = document.currentMap() && differs(info.slam, document.currentMap()->raster);
-  if (other_blueprint) text += QStringLiteral(". ") + tr("Its blueprint is not the image of this project");
-  if (other_slam) text += QStringLiteral(". ") + tr("Its SLAM map is not the one being edited");
-  messages_.show({id, other_blueprint || other_slam ? Severity::kWarning : Severity::kNote, text, {}, 0});
+  QStringList lines;
+  lines += QFileInfo(path).fileName() + QStringLiteral(": ") + verdicts.join(QStringLiteral(". "));
+  if (!info.note.empty()) lines += tr("Exported in spite of: %1").arg(toQString(info.note));
+  lines += tr("To SLAM map \"%1\": %2 nodes, %3 anchors; from project %4, %5, by %6")
+               .arg(toQString(info.slam.name), QString::number(data->node_slam.size()),
+                    QString::number(data->anchors.size()),
+                    info.project.empty() ? tr("(not saved)") : toQString(info.project), dateText(info.created),
+                    toQString(info.creator));
+  lines += tr("SHA-256 of the images: blueprint %1, SLAM map %2").arg(hash(info.blueprint), hash(info.slam));
+  messages_.show({id, other ? Severity::kWarning : Severity::kNote, lines.join(QLatin1Char('\n')), {}, 0});
   return true;
 }
 

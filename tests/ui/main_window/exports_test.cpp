@@ -75,6 +75,24 @@ class ExportsTest : public QObject {
     QCOMPARE(QString::fromStdString(data.info.project), QStringLiteral("site.c2sproj"));
   }
 
+  void whatIsSaidOfAProjectorBeginsWithTheVerdict() {
+    Exports& exports = office_->window.exports();
+    QVERIFY(exports.exportProjector(path_));
+    const auto told = [&] {
+      for (const Message& message : office_->window.messages().messages())
+        if (message.id == QStringLiteral("inspect")) return message.text.section(QLatin1Char('\n'), 0, 0);
+      return QString();
+    };
+    QVERIFY(exports.inspectProjector(path_));
+    QCOMPARE(told(), QStringLiteral("site.c2s: It was made from the images that are shown here"));
+    office_->document().reset(Project{}, {});
+    QVERIFY(exports.inspectProjector(path_));
+    QCOMPARE(told(), QStringLiteral("site.c2s: Whether it fits the images of this project is not known"));
+    QVERIFY(office_->setMaps(OfficeWindow::sample("blueprint.yaml"), OfficeWindow::sample("slam_2.yaml")));
+    QVERIFY(exports.inspectProjector(path_));
+    QCOMPARE(told(), QStringLiteral("site.c2s: Its SLAM map is not the one being edited"));
+  }
+
   void aSolveThatWasStoppedIsNamedAndCanBeTakenUpFromTheCheckList() {
     const auto move = [&] {
       const Anchor& anchor = office_->document().anchors()[0];
