@@ -4,6 +4,10 @@
 <context>
     <name>Engine</name>
     <message>
+        <source>The map was cancelled and is not written</source>
+        <translation>Die Karte wurde abgebrochen und ist nicht geschrieben</translation>
+    </message>
+    <message>
         <source>anchor %1</source>
         <translation>Anker %1</translation>
     </message>
@@ -2556,6 +2560,10 @@
 <context>
     <name>cad2slam::ExportDialog</name>
     <message>
+        <source>Also write the blueprint as a &amp;map in the robot's frame (YAML and PNG)</source>
+        <translation>Auch den Bauplan als &amp;Karte im Koordinatensystem des Roboters schreiben (YAML und PNG)</translation>
+    </message>
+    <message>
         <source>&amp;Solve again</source>
         <translation>Noch einmal &amp;lösen</translation>
     </message>
@@ -2590,6 +2598,14 @@
 </context>
 <context>
     <name>cad2slam::Exports</name>
+    <message>
+        <source>The blueprint as a map is in %1</source>
+        <translation>Der Bauplan als Karte steht in %1</translation>
+    </message>
+    <message>
+        <source>Drawing the blueprint as a map…</source>
+        <translation>Der Bauplan wird als Karte gezeichnet…</translation>
+    </message>
     <message>
         <source>Whether it fits the images of this project is not known</source>
         <translation>Ob er zu den Bildern dieses Projekts passt, ist nicht bekannt</translation>

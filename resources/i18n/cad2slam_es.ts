@@ -4,6 +4,10 @@
 <context>
     <name>Engine</name>
     <message>
+        <source>The map was cancelled and is not written</source>
+        <translation>El mapa se canceló y no se ha escrito</translation>
+    </message>
+    <message>
         <source>anchor %1</source>
         <translation>ancla %1</translation>
     </message>
@@ -2556,6 +2560,10 @@
 <context>
     <name>cad2slam::ExportDialog</name>
     <message>
+        <source>Also write the blueprint as a &amp;map in the robot's frame (YAML and PNG)</source>
+        <translation>Escribir también el plano como &amp;mapa en el sistema del robot (YAML y PNG)</translation>
+    </message>
+    <message>
         <source>&amp;Solve again</source>
         <translation>&amp;Resolver otra vez</translation>
     </message>
@@ -2590,6 +2598,14 @@
 </context>
 <context>
     <name>cad2slam::Exports</name>
+    <message>
+        <source>The blueprint as a map is in %1</source>
+        <translation>El plano como mapa está en %1</translation>
+    </message>
+    <message>
+        <source>Drawing the blueprint as a map…</source>
+        <translation>Dibujando el plano como mapa…</translation>
+    </message>
     <message>
         <source>Whether it fits the images of this project is not known</source>
         <translation>No se sabe si corresponde a las imágenes de este proyecto</translation>

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/dialogs/export_dialog.h"
 
+#include <QCheckBox>
 #include <QDialogButtonBox>
 #include <QGridLayout>
 #include <QLabel>
@@ -73,8 +74,17 @@ ExportDialog::ExportDialog(QWidget* parent, const std::vector<ExportCheck>& chec
     note->setForegroundRole(QPalette::PlaceholderText);
     layout->addWidget(note);
   }
+  if (!refused) {
+    map_wanted_ = new QCheckBox(tr("Also write the blueprint as a &map in the robot's frame (YAML and PNG)"), this);
+    map_wanted_->setObjectName(QStringLiteral("mapWanted"));
+    layout->addWidget(map_wanted_);
+  }
   layout->addStretch(1);
   layout->addWidget(buttons);
+}
+
+bool ExportDialog::isMapWanted() const {
+  return map_wanted_ && map_wanted_->isChecked();
 }
 
 }  // namespace cad2slam

@@ -7,6 +7,8 @@
 
 #include <vector>
 
+class QCheckBox;
+
 namespace cad2slam {
 
 /// One line of the list that is shown before a projector is written.
@@ -26,6 +28,12 @@ class ExportDialog : public QDialog {
   static constexpr int kSolveAgain = QDialog::Accepted + 1;  ///< result() where that was chosen
 
   ExportDialog(QWidget* parent, const std::vector<ExportCheck>& checks);
+
+  /// Whether the blueprint is to be written as a map as well.
+  [[nodiscard]] bool isMapWanted() const;
+
+ private:
+  QCheckBox* map_wanted_ = nullptr;  // none where nothing can be exported
 };
 
 }  // namespace cad2slam

@@ -9,6 +9,8 @@
 #include <QFileInfo>
 #include <QMessageBox>
 
+#include <algorithm>
+
 namespace cad2slam {
 namespace {
 
@@ -25,10 +27,16 @@ QString askSavePath(QWidget* parent, const QString& title, const QString& propos
     path = QFileDialog::getSaveFileName(parent, title, path, filter);
     if (path.isEmpty() || path.endsWith(suffix, Qt::CaseInsensitive)) return path;
     path += suffix;
-    if (!QFileInfo::exists(path)) return path;
-    const QString question = Text::tr("%1 already exists. Replace it?").arg(QFileInfo(path).fileName());
-    if (QMessageBox::question(parent, title, asPlainText(question)) == QMessageBox::Yes) return path;
+    if (mayReplace(parent, title, {path})) return path;
   }
+}
+
+bool mayReplace(QWidget* parent, const QString& title, const QStringList& paths) {
+  return std::all_of(paths.begin(), paths.end(), [&](const QString& path) {
+    if (!QFileInfo::exists(path)) return true;
+    const QString question = Text::tr("%1 already exists. Replace it?").arg(QFileInfo(path).fileName());
+    return QMessageBox::question(parent, title, asPlainText(question)) == QMessageBox::Yes;
+  });
 }
 
 }  // namespace cad2slam

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <QString>
+#include <QStringList>
 
 class QWidget;
 
@@ -12,5 +13,8 @@ namespace cad2slam {
 /// left out, and a file that only then turns out to be there is not replaced without a question.
 [[nodiscard]] QString askSavePath(QWidget* parent, const QString& title, const QString& proposal, const QString& filter,
                                   const QString& suffix);
+
+/// Asks for each of the files that is there already; false as soon as one is to stay.
+[[nodiscard]] bool mayReplace(QWidget* parent, const QString& title, const QStringList& paths);
 
 }  // namespace cad2slam

@@ -12,12 +12,14 @@
 #include "ui/main_window/typing.h"
 #include "ui/models/number_text.h"
 #include "ui/panels/message_bar.h"
+#include "ui/services/blueprint_map.h"
 #include "ui/services/guarded.h"
 #include "ui/services/solve_worker.h"
 #include "ui/views/lane.h"
 
 #include <QCoreApplication>
 #include <QDateTime>
+#include <QDir>
 #include <QEventLoop>
 #include <QFile>
 #include <QFileDialog>
@@ -32,6 +34,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 namespace cad2slam {
@@ -72,6 +75,12 @@ Result<double> readBackDifference(const std::filesystem::path& path, const Proje
       return fail(ErrorCode::kInternal, "Going there and back through the file does not return to the start");
   }
   return largest;
+}
+
+/// Not what the blueprint itself may be called.
+QString blueprintMapBeside(const QString& projector_path) {
+  const QFileInfo file(projector_path);
+  return file.dir().filePath(file.completeBaseName() + QStringLiteral("-blueprint-in-slam.yaml"));
 }
 
 ExportCheck whyNotCurrent(AlignmentStatus status) {
@@ -233,14 +242,12 @@ ProjectorOptions Exports::projectorOptions(const QString& overridden) const {
   return options;
 }
 
-Result<SolveResultPtr> Exports::solveAfresh() {
-  if (!session_.alignment().isCurrent())
-    return fail(ErrorCode::kDegenerate, "There is no up-to-date alignment to export");
-  using Outcome = Result<SolveResultPtr>;
+template <class Outcome>
+std::optional<Outcome> Exports::inWorker(const QString& label, std::function<Outcome(const IsStopped&)> work) {
   QFutureWatcher<Outcome> watcher;
   QEventLoop until_done;
   connect(&watcher, &QFutureWatcherBase::finished, &until_done, &QEventLoop::quit);
-  QProgressDialog progress(tr("Solving the alignment from nothing…"), tr("Cancel"), 0, 0, &window_);
+  QProgressDialog progress(label, tr("Cancel"), 0, 0, &window_);
   progress.setWindowModality(Qt::WindowModal);
   // The dialog's own timer starts with the first step, which there is none of here, and waits four seconds. What is
   // edited before it comes up does no harm: the request holds everything that is exported.
@@ -253,19 +260,31 @@ Result<SolveResultPtr> Exports::solveAfresh() {
   window_.installEventFilter(this);  // see there
   connect(&progress, &QProgressDialog::canceled, &watcher, [&watcher] { watcher.cancel(); });
   Lane lane;
-  watcher.setFuture(lane.run<Outcome>([request = session_.alignment().currentRequest()](QPromise<Outcome>& promise) {
-    promise.addResult(guarded([&]() -> Outcome {
-      return SolveWorker().solveAside(request, [&promise](const IterationReport&) {
-        return promise.isCanceled() ? NextStep::kStop : NextStep::kContinue;
-      });
-    }));
+  watcher.setFuture(lane.run<Outcome>([&work](QPromise<Outcome>& promise) {
+    promise.addResult(guarded([&]() -> Outcome { return work([&promise] { return promise.isCanceled(); }); }));
   }));
   until_done.exec();
   window_.removeEventFilter(this);
   if (!watcher.isFinished()) watcher.cancel();  // the program ends
-  if (watcher.isCanceled() || watcher.future().resultCount() == 0)
-    return fail(ErrorCode::kCancelled, "The export was cancelled, nothing was written");
+  if (watcher.isCanceled() || watcher.future().resultCount() == 0) return std::nullopt;
   return watcher.result();
+}
+
+Result<SolveResultPtr> Exports::solveAfresh(const SolveRequest& request) {
+  const auto solved = inWorker<Result<SolveResultPtr>>(
+      tr("Solving the alignment from nothing…"), [&request](const IsStopped& is_stopped) {
+        return SolveWorker().solveAside(request, [&is_stopped](const IterationReport&) {
+          return is_stopped() ? NextStep::kStop : NextStep::kContinue;
+        });
+      });
+  return solved ? *solved : fail(ErrorCode::kCancelled, "The export was cancelled, nothing was written");
+}
+
+Result<void> Exports::writeMap(const QString& yaml, const SolveRequest& request, const Projector& projector) {
+  const auto written = inWorker<Result<void>>(tr("Drawing the blueprint as a map…"), [&](const IsStopped& is_stopped) {
+    return writeBlueprintMap(toPath(yaml), projector, *request.blueprint, *request.slam_frame, is_stopped);
+  });
+  return written ? *written : fail(ErrorCode::kCancelled, "The map was cancelled and is not written");
 }
 
 bool Exports::eventFilter(QObject* watched, QEvent* event) {
@@ -276,15 +295,21 @@ bool Exports::eventFilter(QObject* watched, QEvent* event) {
   return true;
 }
 
-bool Exports::exportProjector(const QString& path, const QString& overridden) {
+bool Exports::exportProjector(const QString& path, const QString& overridden, const QString& map_yaml) {
   const QString id = QStringLiteral("export-projector");
-  if (std::exchange(exporting_, true)) {  // the last one is still solving
+  if (exporting_) {  // the last one is still solving
     if (progress_) progress_->show();
     return false;
   }
-  const ProjectorOptions options = session_.alignment().result() ? projectorOptions(overridden) : ProjectorOptions();
-  const Result<SolveResultPtr> solved = solveAfresh();
-  exporting_ = false;
+  if (!session_.alignment().isCurrent()) {
+    showError(id, {ErrorCode::kDegenerate, "There is no up-to-date alignment to export", {}});
+    return false;
+  }
+  exporting_ = true;
+  const auto over = qScopeGuard([this] { exporting_ = false; });
+  const ProjectorOptions options = projectorOptions(overridden);
+  const SolveRequest request = session_.alignment().currentRequest();
+  const Result<SolveResultPtr> solved = solveAfresh(request);
   if (!solved) {
     showError(id, solved.error());
     return false;
@@ -308,12 +333,16 @@ bool Exports::exportProjector(const QString& path, const QString& overridden) {
     showError(id, {ErrorCode::kInternal, "The file reads back with other values: do not use it", toStd(path)});
     return false;
   }
-  messages_.show(
-      {id,
-       Severity::kNote,
-       tr("Projector written to %1, read again and compared at %2 places").arg(path).arg(result.mesh->nodeCount()),
-       {},
-       10'000});
+  QString text =
+      tr("Projector written to %1, read again and compared at %2 places").arg(path).arg(result.mesh->nodeCount());
+  if (!map_yaml.isEmpty()) {
+    if (const Result<void> written = writeMap(map_yaml, request, result.projector); !written) {
+      messages_.show({id, Severity::kError, text + QStringLiteral(". ") + toSentence(written.error()), {}, 0});
+      return false;
+    }
+    text += QStringLiteral(". ") + tr("The blueprint as a map is in %1").arg(QFileInfo(map_yaml).fileName());
+  }
+  messages_.show({id, Severity::kNote, text, {}, 10'000});
   return true;
 }
 
@@ -379,10 +408,16 @@ void Exports::askExportProjector() {
   const QString path = askSavePath(&window_, tr("Export projector"), suggestion(QStringLiteral(".c2s")),
                                    tr("Projectors (*.c2s)"), QStringLiteral(".c2s"));
   if (path.isEmpty()) return;
+  QString map_yaml;
+  if (dialog.isMapWanted()) {
+    map_yaml = blueprintMapBeside(path);
+    const QString image = toQString(imageOfBlueprintMap(toPath(map_yaml)));
+    if (!mayReplace(&window_, tr("Export projector"), {map_yaml, image})) return;
+  }
   QStringList overridden;
   for (const ExportCheck& check : checks)
     if (check.verdict == Verdict::kWarning) overridden += check.sentence;
-  exportProjector(path, overridden.join(QStringLiteral("; ")));
+  exportProjector(path, overridden.join(QStringLiteral("; ")), map_yaml);
 }
 
 void Exports::askInspectProjector() {

@@ -12,6 +12,7 @@
 #include <QStringList>
 
 #include <functional>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -38,7 +39,8 @@ class Exports : public QObject {
   bool importAnchors(const QString& path);
   bool exportAnchors(const QString& path);
   /// Writes the projector, reads it again and compares. `overridden`: warnings the installer exported in spite of.
-  bool exportProjector(const QString& path, const QString& overridden = {});
+  /// `map_yaml`: where the blueprint goes as a map in the frame of the SLAM map, with a PNG beside it; empty: nowhere.
+  bool exportProjector(const QString& path, const QString& overridden = {}, const QString& map_yaml = {});
   /// Tells what a projector was made from, and whether that is what the project holds now.
   bool inspectProjector(const QString& path);
 
@@ -54,9 +56,14 @@ class Exports : public QObject {
   bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
-  /// The alignment of the document as it is, solved from nothing and aside of the window: the same document gives the
-  /// same projector to the last bit, whatever was edited before. The installer can cancel it.
-  [[nodiscard]] Result<SolveResultPtr> solveAfresh();
+  /// Solved from nothing and aside of the window: the same document gives the same projector to the last bit, whatever
+  /// was edited before. The installer can cancel it.
+  [[nodiscard]] Result<SolveResultPtr> solveAfresh(const SolveRequest& request);
+  [[nodiscard]] Result<void> writeMap(const QString& yaml, const SolveRequest& request, const Projector& projector);
+  using IsStopped = std::function<bool()>;
+  /// Waits for `work` in a dialog that can cancel it; empty where that was done.
+  template <class Outcome>
+  [[nodiscard]] std::optional<Outcome> inWorker(const QString& label, std::function<Outcome(const IsStopped&)> work);
   [[nodiscard]] ProjectorOptions projectorOptions(const QString& overridden) const;
   /// Any file of anchors; `how`: what to add to the message about it.
   [[nodiscard]] Result<AnchorImport> readAnchorFile(const QString& path, QString& how) const;

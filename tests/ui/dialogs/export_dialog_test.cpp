@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/dialogs/export_dialog.h"
 
+#include <QCheckBox>
 #include <QPushButton>
 #include <QTest>
 
@@ -30,6 +31,15 @@ class ExportDialogTest : public QObject {
     QTest::keyClick(focused ? focused : &dialog, Qt::Key_Return);
     QVERIFY(dialog.isHidden());
     QCOMPARE(dialog.result(), int(exported ? QDialog::Accepted : QDialog::Rejected));
+  }
+
+  void aMapIsWrittenOnlyWhereItWasAskedFor() {
+    ExportDialog refused(nullptr, {{Verdict::kRefused, QStringLiteral("nothing")}});
+    QVERIFY(!refused.isMapWanted());
+    ExportDialog dialog(nullptr, {{Verdict::kGood, QStringLiteral("fine")}});
+    QVERIFY(!dialog.isMapWanted());
+    dialog.findChild<QCheckBox*>(QStringLiteral("mapWanted"))->click();
+    QVERIFY(dialog.isMapWanted());
   }
 
   void aWarningCanBeOverruled() {

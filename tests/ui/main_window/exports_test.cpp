@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/main_window/exports.h"
 
+#include "cad2slam/io/map_file.h"
 #include "cad2slam/io/projector_file.h"
+#include "cad2slam/projection/overlay_picture.h"
 #include "ui/support/office_window.h"
 
 #include <QFile>
@@ -10,6 +12,7 @@
 #include <QPushButton>
 #include <QTimer>
 
+#include <map>
 #include <memory>
 
 using namespace cad2slam;
@@ -73,6 +76,50 @@ class ExportsTest : public QObject {
     const ProjectorData data = readProjectorFile(toPath(path_)).value();
     QCOMPARE(data.anchors.size(), std::size_t(12));
     QCOMPARE(QString::fromStdString(data.info.project), QStringLiteral("site.c2sproj"));
+  }
+
+  void theBlueprintIsWrittenAsAMapOfTheRobot() {
+    const QString yaml = sandbox_->path(QStringLiteral("site-map.yaml"));
+    QVERIFY(office_->window.exports().exportProjector(path_, {}, yaml));
+    // As cad2slam-cli warp draws it from the file.
+    const LoadedMap map = loadMap(toPath(yaml)).value();
+    const MapFrame& slam = *office_->session().rasters().frame(Side::kSlam);
+    const Projector projector = loadProjector(toPath(path_)).value();
+    const auto& blueprint = office_->session().rasters().grid(Side::kBlueprint);
+    const OccupancyGrid warped = warpGrid(projector, true, *blueprint, slam).value();
+    QCOMPARE(map.grid.frame().width(), slam.width());
+    QCOMPARE(map.grid.frame().height(), slam.height());
+    QCOMPARE(map.grid.frame().resolution(), slam.resolution());
+    std::map<CellState, int> seen;
+    int differ = 0;
+    for (int row = 0; row < slam.height(); ++row) {
+      for (int column = 0; column < slam.width(); ++column) {
+        const Eigen::Vector2d center = slam.metricFromPixel({column + 0.5, row + 0.5});
+        ++seen[map.grid.at(center)];
+        if (map.grid.at(center) != warped.at(center)) ++differ;
+      }
+    }
+    QCOMPARE(differ, 0);
+    QCOMPARE(seen.size(), std::size_t(3));
+  }
+
+  void aMapThatIsCancelledOrCannotBeWrittenIsSaid() {
+    const QString nowhere = sandbox_->path(QStringLiteral("no such folder/map.yaml"));
+    QVERIFY(!office_->window.exports().exportProjector(path_, {}, nowhere));
+    QVERIFY(QFile::exists(path_));
+    const QString yaml = sandbox_->path(QStringLiteral("site-map.yaml"));
+    // The second dialog is that of the map.
+    QObject cancels;
+    QTimer every;
+    connect(&every, &QTimer::timeout, &cancels, [&] {
+      if (dialog() && dialog()->labelText().contains(QStringLiteral("map"))) dialog()->cancel();
+    });
+    every.start(0);
+    const bool written = office_->window.exports().exportProjector(path_, {}, yaml);
+    every.stop();
+    // It may have been quicker than the hand.
+    QCOMPARE(QFile::exists(yaml), written);
+    QCOMPARE(QFile::exists(sandbox_->path(QStringLiteral("site-map.png"))), written);
   }
 
   void whatIsSaidOfAProjectorBeginsWithTheVerdict() {
