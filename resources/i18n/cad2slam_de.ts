@@ -1310,6 +1310,29 @@
     </message>
 </context>
 <context>
+    <name>Limits</name>
+    <message>
+        <source>Judged by the error without it, below %1 anchors by the residual; the larger limit counts:</source>
+        <translation>Beurteilt nach dem Fehler ohne ihn, unter %1 Ankern nach dem Restfehler; die größere Grenze zählt:</translation>
+    </message>
+    <message>
+        <source>● OK up to %1 or %2 pixels of the SLAM map</source>
+        <translation>● OK bis %1 oder %2 Pixel der SLAM-Karte</translation>
+    </message>
+    <message>
+        <source>◆ Have a look up to %1 or %2 pixels</source>
+        <translation>◆ Ansehen bis %1 oder %2 Pixel</translation>
+    </message>
+    <message>
+        <source>■ Bad beyond that, if it is also more than %1 times the median or the residual is not OK</source>
+        <translation>■ Schlecht darüber, wenn es auch mehr als das %1-Fache des Medians oder der Restfehler nicht OK ist</translation>
+    </message>
+    <message>
+        <source>■ From %1 anchors on also bad: not OK and more than %2 standard deviations above the mean</source>
+        <translation>■ Ab %1 Ankern auch schlecht: nicht OK und mehr als %2 Standardabweichungen über dem Mittel</translation>
+    </message>
+</context>
+<context>
     <name>Report</name>
     <message>
         <source>OK</source>
@@ -2157,6 +2180,10 @@
 <context>
     <name>cad2slam::AnchorTableModel</name>
     <message>
+        <source>○ Off; the limits are in the settings</source>
+        <translation>○ Aus; die Grenzen stehen in den Einstellungen</translation>
+    </message>
+    <message>
         <source>OK</source>
         <translation>OK</translation>
     </message>
@@ -2255,10 +2282,6 @@
     <message>
         <source>How far off the alignment would be here without this anchor (from 4 anchors on)</source>
         <translation>Wie weit die Ausrichtung hier ohne diesen Anker danebenläge (ab 4 Ankern)</translation>
-    </message>
-    <message>
-        <source>● OK, ◆ have a look, ■ bad: beyond the limit and worse than the others, ○ off; the limits are in the settings</source>
-        <translation>● OK, ◆ ansehen, ■ schlecht: jenseits der Grenze und schlechter als die anderen, ○ aus; die Grenzen stehen in den Einstellungen</translation>
     </message>
     <message>
         <source>In the image at %1 px</source>
@@ -3382,6 +3405,10 @@ Karten-YAML, PGM, PNG oder TIFF</translation>
 <context>
     <name>cad2slam::SettingsDialog</name>
     <message>
+        <source>An anchor is judged by the error without it, from four anchors on. The larger of a length and a number of SLAM map pixels counts. When most anchors are beyond the last limit, a message says so. These limits are kept in the project.</source>
+        <translation>Ein Anker wird ab vier Ankern nach dem Fehler ohne ihn beurteilt. Es zählt das Größere aus einer Länge und einer Zahl von Pixeln der SLAM-Karte. Liegen die meisten Anker jenseits der letzten Grenze, so sagt das eine Meldung. Diese Grenzen stehen im Projekt.</translation>
+    </message>
+    <message>
         <source>Settings</source>
         <translation>Einstellungen</translation>
     </message>
@@ -3492,10 +3519,6 @@ Karten-YAML, PGM, PNG oder TIFF</translation>
     <message>
         <source>Resistance to stretch:</source>
         <translation>Widerstand gegen Dehnung:</translation>
-    </message>
-    <message>
-        <source>An anchor is judged by the error without it, from four anchors on. The larger of a length and a number of SLAM map pixels counts. Bad is what is beyond the last limit and worse than the others; when most are beyond it, a message says so. These limits are kept in the project.</source>
-        <translation>Ein Anker wird, ab vier Ankern, nach dem Fehler ohne ihn beurteilt. Es zählt das Größere von einer Länge und einer Zahl von Pixeln der SLAM-Karte. Schlecht ist, was jenseits der letzten Grenze und schlechter als die anderen ist; liegen die meisten jenseits, sagt das eine Meldung. Diese Grenzen stehen im Projekt.</translation>
     </message>
     <message>
         <source>● OK up to (m):</source>

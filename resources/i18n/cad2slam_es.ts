@@ -1310,6 +1310,29 @@
     </message>
 </context>
 <context>
+    <name>Limits</name>
+    <message>
+        <source>Judged by the error without it, below %1 anchors by the residual; the larger limit counts:</source>
+        <translation>Se juzga por el error sin ella, con menos de %1 anclas por el residuo; cuenta el límite mayor:</translation>
+    </message>
+    <message>
+        <source>● OK up to %1 or %2 pixels of the SLAM map</source>
+        <translation>● OK hasta %1 o %2 píxeles del mapa SLAM</translation>
+    </message>
+    <message>
+        <source>◆ Have a look up to %1 or %2 pixels</source>
+        <translation>◆ Revisar hasta %1 o %2 píxeles</translation>
+    </message>
+    <message>
+        <source>■ Bad beyond that, if it is also more than %1 times the median or the residual is not OK</source>
+        <translation>■ Mala más allá, si además supera %1 veces la mediana o el residuo no es OK</translation>
+    </message>
+    <message>
+        <source>■ From %1 anchors on also bad: not OK and more than %2 standard deviations above the mean</source>
+        <translation>■ Desde %1 anclas también mala: no OK y más de %2 desviaciones típicas sobre la media</translation>
+    </message>
+</context>
+<context>
     <name>Report</name>
     <message>
         <source>OK</source>
@@ -2157,6 +2180,10 @@
 <context>
     <name>cad2slam::AnchorTableModel</name>
     <message>
+        <source>○ Off; the limits are in the settings</source>
+        <translation>○ Apagada; los límites están en los ajustes</translation>
+    </message>
+    <message>
         <source>OK</source>
         <translation>OK</translation>
     </message>
@@ -2255,10 +2282,6 @@
     <message>
         <source>How far off the alignment would be here without this anchor (from 4 anchors on)</source>
         <translation>Cuánto erraría aquí la alineación sin esta ancla (desde 4 anclas)</translation>
-    </message>
-    <message>
-        <source>● OK, ◆ have a look, ■ bad: beyond the limit and worse than the others, ○ off; the limits are in the settings</source>
-        <translation>● OK, ◆ revisar, ■ mala: fuera del límite y peor que las demás, ○ apagada; los límites están en los ajustes</translation>
     </message>
     <message>
         <source>In the image at %1 px</source>
@@ -3382,6 +3405,10 @@ YAML de mapa, PGM, PNG o TIFF</translation>
 <context>
     <name>cad2slam::SettingsDialog</name>
     <message>
+        <source>An anchor is judged by the error without it, from four anchors on. The larger of a length and a number of SLAM map pixels counts. When most anchors are beyond the last limit, a message says so. These limits are kept in the project.</source>
+        <translation>A partir de cuatro anclas, un ancla se juzga por el error sin ella. Cuenta el mayor de una longitud y un número de píxeles del mapa SLAM. Si la mayoría de las anclas están fuera del último límite, un mensaje lo dice. Estos límites se guardan en el proyecto.</translation>
+    </message>
+    <message>
         <source>Settings</source>
         <translation>Ajustes</translation>
     </message>
@@ -3492,10 +3519,6 @@ YAML de mapa, PGM, PNG o TIFF</translation>
     <message>
         <source>Resistance to stretch:</source>
         <translation>Resistencia al estiramiento:</translation>
-    </message>
-    <message>
-        <source>An anchor is judged by the error without it, from four anchors on. The larger of a length and a number of SLAM map pixels counts. Bad is what is beyond the last limit and worse than the others; when most are beyond it, a message says so. These limits are kept in the project.</source>
-        <translation>Un ancla se juzga, desde cuatro, por el error sin ella. Cuenta lo mayor entre una longitud y un número de píxeles del mapa SLAM. Mala es la que pasa el último límite y es peor que las demás; si lo pasan la mayoría, un mensaje lo dice. Estos límites se guardan en el proyecto.</translation>
     </message>
     <message>
         <source>● OK up to (m):</source>

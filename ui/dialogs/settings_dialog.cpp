@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/dialogs/settings_dialog.h"
 
+#include "ui/models/limits_text.h"
 #include "ui/models/number_text.h"
 
 #include <QComboBox>
@@ -137,8 +138,8 @@ QWidget* SettingsDialog::limitsPage() {
   auto* form = new QFormLayout(page);
   auto* text =
       new QLabel(tr("An anchor is judged by the error without it, from four anchors on. The larger of a length "
-                    "and a number of SLAM map pixels counts. Bad is what is beyond the last limit and worse than the "
-                    "others; when most are beyond it, a message says so. These limits are kept in the project."),
+                    "and a number of SLAM map pixels counts. When most anchors are beyond the last limit, a message "
+                    "says so. These limits are kept in the project."),
                  page);
   text->setWordWrap(true);
   form->addRow(text);
@@ -146,6 +147,10 @@ QWidget* SettingsDialog::limitsPage() {
   ok_cells_ = numberField(*form, tr("● OK up to (pixels):"), {}, QStringLiteral("okCells"));
   look_m_ = numberField(*form, tr("◆ Have a look up to (m):"), {}, QStringLiteral("lookMetres"));
   look_cells_ = numberField(*form, tr("◆ Have a look up to (pixels):"), {}, QStringLiteral("lookCells"));
+  auto* rule = new QLabel(badRuleText(), page);
+  rule->setObjectName(QStringLiteral("badRule"));
+  rule->setWordWrap(true);
+  form->addRow(rule);
   return page;
 }
 

@@ -9,11 +9,6 @@
 namespace cad2slam {
 namespace {
 
-// Where the bent map is hard to guess from the neighbours all anchors are missed by much; the bad one is worse than
-// most.
-constexpr double kAgainstMedian = 2.0;
-constexpr std::size_t kSpreadFrom = 6;  // fewer numbers have no meaningful standard deviation
-
 double lookLimit(const ClassLimits& limits, double slam_m_per_px) {
   return std::max(limits.look_cells * slam_m_per_px, limits.look_m);
 }
@@ -63,7 +58,7 @@ std::map<AnchorId, AnchorJudgement> judgeAnchors(const AnchorList& anchors, cons
     // With one anchor everything fits, with two nearly everything: no verdict.
     if (!anchor.enabled || used < 3 || !judgement.residual_m) continue;
     const double value = error(fit);
-    const bool stands_out = used >= kSpreadFrom && value > mean + 2.0 * spread;
+    const bool stands_out = used >= kSpreadFrom && value > mean + kSpreads * spread;
     if (value <= ok) {
       judgement.judged = AnchorClass::kOk;
     } else if (stands_out || (value > look && (*judgement.residual_m > ok || value > kAgainstMedian * median))) {

@@ -40,6 +40,12 @@ struct AlignmentSummary {
 
 /// Anchors used from which leave-one-out says something.
 inline constexpr std::size_t kLeaveOneOutFrom = 4;
+/// Where the bent map is hard to guess from the neighbours all anchors are missed by much; the bad one is worse than
+/// most.
+inline constexpr double kAgainstMedian = 2.0;
+/// Standard deviations above the mean, and how many anchors used have a meaningful one.
+inline constexpr double kSpreads = 2.0;
+inline constexpr std::size_t kSpreadFrom = 6;
 
 /// Judges each anchor: by its leave-one-out error from 4 anchors on, else by its residual. "Bad" is what is above the
 /// look limit and also stands out: the alignment does not reach it either (residual above the ok limit), or it is

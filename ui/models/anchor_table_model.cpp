@@ -5,6 +5,7 @@
 #include "ui/convert.h"
 #include "ui/document/anchor_commands.h"
 #include "ui/models/foreign_text.h"
+#include "ui/models/limits_text.h"
 #include "ui/models/number_text.h"
 
 #include <QCoreApplication>
@@ -200,6 +201,7 @@ QString AnchorTableModel::tooltip(const Anchor& anchor, int column) const {
   if (column == kName || column == kNote) return asPlainText(toQString(column == kName ? anchor.name : anchor.note));
   if (column == kFlag && document_.isSnapped(anchor.id))
     return tr("The point is on a corner that was found in the image");
+  if (column == kFlag && judgement && anchor.enabled && judgement->judged != AnchorClass::kPlain) return judgingText();
   if (!isCoordinate(column)) return {};
   const bool in_blueprint = column == kBlueprintX || column == kBlueprintY;
   const std::optional<MapFrame>& frame = frames_[in_blueprint ? 0 : 1];
@@ -207,6 +209,10 @@ QString AnchorTableModel::tooltip(const Anchor& anchor, int column) const {
   if (!frame) return metres;
   const Eigen::Vector2d pixel = frame->pixelFromMetric(in_blueprint ? anchor.in_blueprint : anchor.in_slam);
   return metres + QLatin1Char('\n') + tr("In the image at %1 px").arg(pairText(pixel.x(), pixel.y(), 1));
+}
+
+QString AnchorTableModel::judgingText() const {
+  return limitsText(document_.state().limits) + QLatin1Char('\n') + badRuleText();
 }
 
 QString AnchorTableModel::lengthAndPixels(double length_m) const {
@@ -329,9 +335,7 @@ QVariant AnchorTableModel::headerData(int section, Qt::Orientation orientation, 
       case kLeaveOneOut:
         return tr("How far off the alignment would be here without this anchor (from 4 anchors on)");
       case kFlag:
-        return tr(
-            "● OK, ◆ have a look, ■ bad: beyond the limit and worse than the others, ○ off; the limits are in the "
-            "settings");
+        return QString(judgingText() + QLatin1Char('\n') + tr("○ Off; the limits are in the settings"));
       default:
         return {};
     }

@@ -62,6 +62,7 @@ class AnchorTableModel : public QAbstractTableModel {
   [[nodiscard]] QVariant sortValue(const Anchor& anchor, int column) const;
   [[nodiscard]] QString flagText(const Anchor& anchor) const;
   [[nodiscard]] QString tooltip(const Anchor& anchor, int column) const;
+  [[nodiscard]] QString judgingText() const;
   [[nodiscard]] QString lengthAndPixels(double length_m) const;  // pixels of the SLAM map
 
   ProjectDocument& document_;

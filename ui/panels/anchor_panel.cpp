@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/panels/anchor_panel.h"
 
+#include "ui/models/limits_text.h"
 #include "ui/models/number_text.h"
 #include "ui/panels/coordinate_delegate.h"
 
@@ -118,9 +119,7 @@ AnchorPanel::AnchorPanel(ProjectDocument& document, AnchorSelection& selection, 
   count_ = footerLabel(footer, QStringLiteral("footerCount"), tr("Anchors that take part, of all anchors"));
   rms_ = footerLabel(footer, QStringLiteral("footerRms"), tr("Root mean square of the residuals of the anchors used"));
   max_ = footerLabel(footer, QStringLiteral("footerMax"), tr("Largest residual of the anchors used"));
-  leave_one_out_ = footerLabel(
-      footer, QStringLiteral("footerLeaveOneOut"),
-      tr("Middle of what each anchor would be missed by without itself: an honest guess of the error elsewhere"));
+  leave_one_out_ = footerLabel(footer, QStringLiteral("footerLeaveOneOut"), {});
   footer->addStretch(1);
 
   auto* layout = new QVBoxLayout(this);
@@ -208,6 +207,9 @@ void AnchorPanel::setSummary(const AlignmentSummary& summary, bool stale) {
   rms_->setText(tr("RMS %1").arg(length(summary.rms_residual_m)));
   max_->setText(tr("Largest %1").arg(length(summary.max_residual_m)));
   leave_one_out_->setText(tr("Without-it median %1").arg(length(summary.median_leave_one_out_m)));
+  leave_one_out_->setToolTip(
+      tr("Middle of what each anchor would be missed by without itself: an honest guess of the error elsewhere") +
+      QStringLiteral("\n\n") + limitsText(document_.state().limits) + QLatin1Char('\n') + badRuleText());
   for (QLabel* label : {count_, rms_, max_, leave_one_out_}) label->setEnabled(!stale);
 }
 

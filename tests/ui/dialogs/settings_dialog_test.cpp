@@ -2,10 +2,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/dialogs/settings_dialog.h"
 
+#include "ui/models/limits_text.h"
 #include "ui/support/office_window.h"
 
 #include <QComboBox>
 #include <QDialogButtonBox>
+#include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
 #include <QTabWidget>
@@ -68,6 +70,11 @@ class SettingsDialogTest : public QObject {
     defaults->click();
     QCOMPARE(dialog.settings().solver, defaultSettings(Model::kStretch));
     QCOMPARE(dialog.settings().limits.ok_m, 0.7);
+  }
+
+  void theLimitsAreToldWithTheRuleForBadOnes() {
+    const SettingsDialog dialog(nullptr, {defaultSettings(Model::kStretch), {}, {}}, {});
+    QCOMPARE(dialog.findChild<QLabel*>(QStringLiteral("badRule"))->text(), badRuleText());
   }
 
   void aRigidProjectCanBeChanged() {

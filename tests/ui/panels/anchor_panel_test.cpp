@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/panels/anchor_panel.h"
 
+#include "ui/document/project_commands.h"
+#include "ui/models/limits_text.h"
 #include "ui/support/office_window.h"
 
 #include <QLabel>
@@ -17,6 +19,25 @@ class AnchorPanelTest : public QObject {
 
  private slots:
   void init() { sandbox_.emplace(); }
+
+  void whatAnchorsAreJudgedByIsToldAtTheTableAndBelowIt() {
+    OfficeWindow office;
+    office.addExact(5);
+    QVERIFY(office.waitUntilSolved());
+    AnchorPanel& panel = office.window.anchorPanel();
+    const auto* median = panel.findChild<QLabel*>(QStringLiteral("footerLeaveOneOut"));
+    QVERIFY(median);
+    for (const double ok_m : {0.15, 0.07}) {
+      ProjectSettings settings{office.document().project().settings, office.document().project().cell_size_m, {}};
+      settings.limits.ok_m = ok_m;
+      edit::changeSettings(office.document(), settings);
+      const QString rule = limitsText(settings.limits) + QLatin1Char('\n') + badRuleText();
+      const QAbstractItemModel& model = panel.model();
+      QVERIFY(model.headerData(AnchorTableModel::kFlag, Qt::Horizontal, Qt::ToolTipRole).toString().contains(rule));
+      QCOMPARE(model.index(0, AnchorTableModel::kFlag).data(Qt::ToolTipRole).toString(), rule);
+      QVERIFY(median->toolTip().contains(rule));
+    }
+  }
 
   void theFooterCountsWhatIsSwitchedOnAndIsGreyUntilItIsSolved() {
     OfficeWindow office;
