@@ -13,6 +13,7 @@
 #include "ui/support/office_window.h"
 
 #include <QFileInfo>
+#include <QTabWidget>
 
 using namespace cad2slam;
 using test::OfficeWindow;
@@ -95,6 +96,8 @@ class ScreenshotsTest : public QObject {
     SettingsDialog settings(&office.window, {defaultSettings(Model::kStretch), std::nullopt, {}}, {});
     settings.show();
     shoot(settings, "11-settings");
+    settings.findChild<QTabWidget*>()->setCurrentIndex(1);
+    shoot(settings, "11-settings-limits");
     CheatSheet keys(&office.window, office.window.actionTable());
     keys.show();
     shoot(keys, "12-keys");
