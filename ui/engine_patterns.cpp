@@ -316,7 +316,7 @@ constexpr const char* kPatterns[] = {
     QT_TRANSLATE_NOOP("Engine", "there is nothing to lay over the map"),
     QT_TRANSLATE_NOOP("Engine", "There is no up-to-date alignment to export"),
     QT_TRANSLATE_NOOP("Engine", "The export was cancelled, nothing was written"),
-    QT_TRANSLATE_NOOP("Engine", "The map was cancelled and is not written"),
+    QT_TRANSLATE_NOOP("Engine", "Drawing the map was cancelled, it is not written"),
     QT_TRANSLATE_NOOP("Engine", "The file reads back with other values"),
     QT_TRANSLATE_NOOP("Engine", "The file reads back with other values: do not use it"),
     QT_TRANSLATE_NOOP("Engine", "Going there and back through the file does not return to the start"),

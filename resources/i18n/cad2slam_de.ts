@@ -4,8 +4,8 @@
 <context>
     <name>Engine</name>
     <message>
-        <source>The map was cancelled and is not written</source>
-        <translation>Die Karte wurde abgebrochen und ist nicht geschrieben</translation>
+        <source>Drawing the map was cancelled, it is not written</source>
+        <translation>Das Zeichnen der Karte wurde abgebrochen, sie ist nicht geschrieben</translation>
     </message>
     <message>
         <source>anchor %1</source>
@@ -1325,7 +1325,7 @@
     </message>
     <message>
         <source>■ Bad beyond that, if it is also more than %1 times the median or the residual is not OK</source>
-        <translation>■ Schlecht darüber, wenn es auch mehr als das %1-Fache des Medians oder der Restfehler nicht OK ist</translation>
+        <translation>■ Schlecht darüber, wenn es auch mehr als das %1-Fache des Medians beträgt oder der Restfehler nicht OK ist</translation>
     </message>
     <message>
         <source>■ From %1 anchors on also bad: not OK and more than %2 standard deviations above the mean</source>
@@ -2644,6 +2644,10 @@
     <message>
         <source>The last solve was stopped, so there is nothing current to export</source>
         <translation>Das letzte Lösen wurde angehalten, darum gibt es nichts Aktuelles zu exportieren</translation>
+    </message>
+    <message>
+        <source>An image is missing, or still being read</source>
+        <translation>Ein Bild fehlt oder wird noch gelesen</translation>
     </message>
     <message>
         <source>There is no alignment yet: place anchors first</source>

@@ -4,8 +4,8 @@
 <context>
     <name>Engine</name>
     <message>
-        <source>The map was cancelled and is not written</source>
-        <translation>El mapa se canceló y no se ha escrito</translation>
+        <source>Drawing the map was cancelled, it is not written</source>
+        <translation>Se canceló el dibujo del mapa, que no se ha escrito</translation>
     </message>
     <message>
         <source>anchor %1</source>
@@ -2644,6 +2644,10 @@
     <message>
         <source>The last solve was stopped, so there is nothing current to export</source>
         <translation>La última resolución se detuvo, así que no hay nada actual que exportar</translation>
+    </message>
+    <message>
+        <source>An image is missing, or still being read</source>
+        <translation>Falta una imagen o todavía se está leyendo</translation>
     </message>
     <message>
         <source>There is no alignment yet: place anchors first</source>

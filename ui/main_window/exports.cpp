@@ -101,6 +101,10 @@ ExportCheck whyNotCurrent(AlignmentStatus status) {
 
 std::vector<ExportCheck> exportChecks(Session& session, const QStringList& findings) {
   std::vector<ExportCheck> checks;
+  if (!session.isReady()) {  // also where an image that was solved with breaks off later
+    checks.push_back({Verdict::kRefused, Exports::tr("An image is missing, or still being read")});
+    return checks;
+  }
   if (!session.alignment().isCurrent()) {
     checks.push_back(whyNotCurrent(session.alignment().status()));
     return checks;
@@ -243,7 +247,8 @@ ProjectorOptions Exports::projectorOptions(const QString& overridden) const {
 }
 
 template <class Outcome>
-std::optional<Outcome> Exports::inWorker(const QString& label, std::function<Outcome(const IsStopped&)> work) {
+std::optional<Outcome> Exports::inWorker(const QString& label, LateCancel late,
+                                         std::function<Outcome(const IsStopped&)> work) {
   QFutureWatcher<Outcome> watcher;
   QEventLoop until_done;
   connect(&watcher, &QFutureWatcherBase::finished, &until_done, &QEventLoop::quit);
@@ -259,20 +264,22 @@ std::optional<Outcome> Exports::inWorker(const QString& label, std::function<Out
   const auto forget = qScopeGuard([this] { progress_ = nullptr; });
   window_.installEventFilter(this);  // see there
   connect(&progress, &QProgressDialog::canceled, &watcher, [&watcher] { watcher.cancel(); });
+  // Not the future's own result, which a cancel drops even where the work is done by then.
+  std::optional<Outcome> outcome;
   Lane lane;
-  watcher.setFuture(lane.run<Outcome>([&work](QPromise<Outcome>& promise) {
-    promise.addResult(guarded([&]() -> Outcome { return work([&promise] { return promise.isCanceled(); }); }));
+  watcher.setFuture(lane.run<Outcome>([&work, &outcome](QPromise<Outcome>& promise) {
+    outcome = guarded([&]() -> Outcome { return work([&promise] { return promise.isCanceled(); }); });
   }));
   until_done.exec();
   window_.removeEventFilter(this);
   if (!watcher.isFinished()) watcher.cancel();  // the program ends
-  if (watcher.isCanceled() || watcher.future().resultCount() == 0) return std::nullopt;
-  return watcher.result();
+  lane.waitForDone();
+  return late == LateCancel::kDropsOutcome && watcher.isCanceled() ? std::nullopt : outcome;
 }
 
 Result<SolveResultPtr> Exports::solveAfresh(const SolveRequest& request) {
   const auto solved = inWorker<Result<SolveResultPtr>>(
-      tr("Solving the alignment from nothing…"), [&request](const IsStopped& is_stopped) {
+      tr("Solving the alignment from nothing…"), LateCancel::kDropsOutcome, [&request](const IsStopped& is_stopped) {
         return SolveWorker().solveAside(request, [&is_stopped](const IterationReport&) {
           return is_stopped() ? NextStep::kStop : NextStep::kContinue;
         });
@@ -281,10 +288,11 @@ Result<SolveResultPtr> Exports::solveAfresh(const SolveRequest& request) {
 }
 
 Result<void> Exports::writeMap(const QString& yaml, const SolveRequest& request, const Projector& projector) {
-  const auto written = inWorker<Result<void>>(tr("Drawing the blueprint as a map…"), [&](const IsStopped& is_stopped) {
-    return writeBlueprintMap(toPath(yaml), projector, *request.blueprint, *request.slam_frame, is_stopped);
-  });
-  return written ? *written : fail(ErrorCode::kCancelled, "The map was cancelled and is not written");
+  const auto written = inWorker<Result<void>>(
+      tr("Drawing the blueprint as a map…"), LateCancel::kKeepsOutcome, [&](const IsStopped& is_stopped) {
+        return writeBlueprintMap(toPath(yaml), projector, *request.blueprint, *request.slam_frame, is_stopped);
+      });
+  return written ? *written : fail(ErrorCode::kCancelled, "Drawing the map was cancelled, it is not written");
 }
 
 bool Exports::eventFilter(QObject* watched, QEvent* event) {
@@ -301,7 +309,7 @@ bool Exports::exportProjector(const QString& path, const QString& overridden, co
     if (progress_) progress_->show();
     return false;
   }
-  if (!session_.alignment().isCurrent()) {
+  if (!session_.isReady() || !session_.alignment().isCurrent()) {
     showError(id, {ErrorCode::kDegenerate, "There is no up-to-date alignment to export", {}});
     return false;
   }
@@ -392,14 +400,14 @@ void Exports::askImportAnchors() {
 }
 
 void Exports::askExportAnchors() {
-  finishTyping(window_);
+  finishTyping();
   const QString path = askSavePath(&window_, tr("Export anchors"), suggestion(QStringLiteral("-anchors.csv")),
                                    tr("Anchors (*.csv)"), QStringLiteral(".csv"));
   if (!path.isEmpty()) exportAnchors(path);
 }
 
 void Exports::askExportProjector() {
-  finishTyping(window_);
+  finishTyping();
   const std::vector<ExportCheck> checks = exportChecks(session_, findings_ ? findings_() : QStringList());
   ExportDialog dialog(&window_, checks);
   const int answer = dialog.exec();

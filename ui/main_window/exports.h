@@ -61,9 +61,12 @@ class Exports : public QObject {
   [[nodiscard]] Result<SolveResultPtr> solveAfresh(const SolveRequest& request);
   [[nodiscard]] Result<void> writeMap(const QString& yaml, const SolveRequest& request, const Projector& projector);
   using IsStopped = std::function<bool()>;
+  /// What becomes of work that was done before it noticed that it was cancelled.
+  enum class LateCancel { kDropsOutcome, kKeepsOutcome };
   /// Waits for `work` in a dialog that can cancel it; empty where that was done.
   template <class Outcome>
-  [[nodiscard]] std::optional<Outcome> inWorker(const QString& label, std::function<Outcome(const IsStopped&)> work);
+  [[nodiscard]] std::optional<Outcome> inWorker(const QString& label, LateCancel late,
+                                                std::function<Outcome(const IsStopped&)> work);
   [[nodiscard]] ProjectorOptions projectorOptions(const QString& overridden) const;
   /// Any file of anchors; `how`: what to add to the message about it.
   [[nodiscard]] Result<AnchorImport> readAnchorFile(const QString& path, QString& how) const;

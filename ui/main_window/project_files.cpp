@@ -205,7 +205,7 @@ bool ProjectFiles::isFileReplaced() const {
 }
 
 bool ProjectFiles::askSave() {
-  finishTyping(window_);
+  finishTyping();
   const QString path = toQString(session_.document().path());
   if (path.isEmpty()) return askSaveAs();
   if (!isFileReplaced()) return saveProjectTo(path);
@@ -231,7 +231,7 @@ QString ProjectFiles::folderToSaveIn(const QString& images, const std::optional<
 }
 
 bool ProjectFiles::askSaveAs() {
-  finishTyping(window_);
+  finishTyping();
   const std::filesystem::path& now = session_.document().path();
   const QString proposal =
       now.empty() ? folderToSaveIn(folder(), Tour::sampleFolder()) + QStringLiteral("/site.c2sproj") : toQString(now);
@@ -248,7 +248,7 @@ void ProjectFiles::askImage(Side side) {
 }
 
 bool ProjectFiles::mayClose() {
-  finishTyping(window_);
+  finishTyping();
   if (!session_.document().isModified()) return true;
   QMessageBox box(QMessageBox::Question, tr("Unsaved changes"), tr("The project has changes that are not saved."),
                   QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, &window_);

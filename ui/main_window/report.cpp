@@ -8,6 +8,7 @@
 #include "ui/models/number_text.h"
 #include "ui/services/preview_renderer.h"
 
+#include <QAbstractTextDocumentLayout>
 #include <QBuffer>
 #include <QCoreApplication>
 #include <QDateTime>
@@ -191,6 +192,16 @@ std::unique_ptr<QTextDocument> reportDocument(Session& session, const ReportExtr
   return text;
 }
 
+void drawReportPage(QPainter& painter, const QTextDocument& text, int page) {
+  // Not drawContents(), which writes in the colour of the theme: white in the dark one.
+  QAbstractTextDocumentLayout::PaintContext context;
+  context.clip = QRectF(0, page * kPageHeight, kPageWidth, kPageHeight);
+  context.palette.setColor(QPalette::Text, Qt::black);
+  painter.translate(0, -page * kPageHeight);
+  painter.setClipRect(context.clip);
+  text.documentLayout()->draw(&painter, context);
+}
+
 Result<void> writeReport(const QString& path, Session& session, const ReportExtras& extras) {
   QBuffer buffer;
   buffer.open(QIODevice::WriteOnly);
@@ -211,8 +222,7 @@ Result<void> writeReport(const QString& path, Session& session, const ReportExtr
     for (int page = 0; page < pages; ++page) {
       if (page > 0) writer.newPage();
       painter.save();
-      painter.translate(0, -page * kPageHeight);
-      text->drawContents(&painter, QRectF(0, page * kPageHeight, kPageWidth, kPageHeight));
+      drawReportPage(painter, *text, page);
       painter.restore();
       painter.setFont(small);
       painter.drawText(QRect(0, kPageHeight, kPageWidth, kFooterHeight), Qt::AlignRight | Qt::AlignBottom,

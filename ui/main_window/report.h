@@ -14,6 +14,8 @@
 
 class QTextDocument;
 
+class QPainter;
+
 namespace cad2slam {
 
 struct ReportPicture {
@@ -33,6 +35,8 @@ struct ReportExtras {
 [[nodiscard]] QString reportHtml(Session& session, const ReportExtras& extras);
 /// The same, laid out on pages.
 [[nodiscard]] std::unique_ptr<QTextDocument> reportDocument(Session& session, const ReportExtras& extras);
+/// One page of it, from the top left corner on, in pixels of the document.
+void drawReportPage(QPainter& painter, const QTextDocument& text, int page);
 /// Writes it as PDF on A4, atomically.
 [[nodiscard]] Result<void> writeReport(const QString& path, Session& session, const ReportExtras& extras);
 

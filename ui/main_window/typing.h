@@ -2,11 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-class QWidget;
-
 namespace cad2slam {
 
 /// What is being typed into a cell of a table counts: it goes into the document before that is saved or exported.
-void finishTyping(const QWidget& window);
+void finishTyping();
 
 }  // namespace cad2slam

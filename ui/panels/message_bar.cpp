@@ -124,7 +124,7 @@ void MessageBar::rebuild() {
   std::stable_sort(above.begin(), above.end(), [&](const Message* a, const Message* b) { return rank(a) > rank(b); });
   const std::size_t count = above.size();
   if (count <= kShown) unfolded_ = false;
-  if (!unfolded_) above.resize(std::min(count, kShown));
+  if (!unfolded_ && count > kShown) above.erase(above.begin() + kShown, above.end());
   const std::vector<const Message*> over = overlay_ && toast ? std::vector{toast} : std::vector<const Message*>();
 
   std::vector<MessageRow*> unused = std::exchange(rows_, {});

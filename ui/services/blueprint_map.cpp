@@ -13,7 +13,7 @@ Result<void> writeBlueprintMap(const std::filesystem::path& yaml, const Projecto
   const Result<OccupancyGrid> warped = warpGrid(projector, true, blueprint, slam_frame);
   if (!warped) return failAs(warped);
   const cv::Mat picture = trinaryPicture(*warped);
-  if (is_stopped()) return fail(ErrorCode::kCancelled, "The map was cancelled and is not written");
+  if (is_stopped()) return fail(ErrorCode::kCancelled, "Drawing the map was cancelled, it is not written");
   MapMetadata metadata;  // its thresholds are those of map_server, which keep 205 unknown
   metadata.resolution_m_per_px = slam_frame.resolution();
   metadata.metric_from_corner = slam_frame.metricFromCorner();

@@ -2,12 +2,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/main_window/report.h"
 
+#include "ui/main_window/appearance.h"
 #include "ui/main_window/exports.h"
 #include "ui/main_window/program_actions.h"
 #include "ui/support/office_window.h"
 
 #include <QAbstractTextDocumentLayout>
+#include <QApplication>
 #include <QFile>
+#include <QImage>
+#include <QPainter>
 #include <QTextDocument>
 #include <QTextTable>
 
@@ -80,6 +84,24 @@ class ReportTest : public QObject {
     office.loadMaps();
     QVERIFY(report->isEnabled());
     QVERIFY(!report->toolTip().contains(QStringLiteral("load both")));
+  }
+
+  void itIsBlackOnWhiteInEveryTheme() {
+    OfficeWindow office;
+    const QPalette before = QApplication::palette();
+    applyTheme(Theme::kDark);
+    const auto text = reportDocument(office.session(), {});
+    QImage page(text->pageSize().toSize(), QImage::Format_Grayscale8);
+    page.fill(Qt::white);
+    QPainter painter(&page);
+    drawReportPage(painter, *text, 0);
+    painter.end();
+    applyTheme(Theme::kSystem);
+    QApplication::setPalette(before);
+    int ink = 0;
+    for (int y = 0; y < page.height(); ++y)
+      for (int x = 0; x < page.width(); ++x) ink += qGray(page.pixel(x, y)) < 64 ? 1 : 0;
+    QVERIFY2(ink > 500, qPrintable(QString::number(ink)));
   }
 
   void itIsWrittenAsPdf() {
