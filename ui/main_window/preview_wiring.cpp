@@ -33,7 +33,8 @@ PreviewWiring::PreviewWiring(Session& session, PreviewPanel& panel, QObject* par
   view.setEmptyText(tr("Load a blueprint and a SLAM map to see them over each other"));
   view.installEventFilter(this);
   connect(&view, &PreviewView::pictureWanted, this, &PreviewWiring::askForPicture);
-  connect(&view, &MapView::markerPressed, this, [this](MarkerId id, Qt::KeyboardModifiers modifiers) {
+  // Not at the press, which may begin a pan.
+  connect(&view, &MapView::markerClicked, this, [this](MarkerId id, Qt::KeyboardModifiers modifiers) {
     const bool more = modifiers & (Qt::ControlModifier | Qt::ShiftModifier);
     more ? session_.selection().toggle(id) : session_.selection().set({id});
   });

@@ -373,7 +373,9 @@ void MapView::endGesture(Qt::KeyboardModifiers modifiers) {
   const std::optional<Hit> pressed = std::exchange(pressed_, std::nullopt);
   switch (ended) {
     case Gesture::kPressed:
-      if (!pressed) {
+      if (pressed) {
+        emit markerClicked(pressed->id, modifiers);
+      } else {
         const bool snapped = snap_m_.has_value();
         const QPointF point_m = snapped ? *snap_m_ : metresFromWidget(press_);
         snap_m_.reset();

@@ -116,6 +116,8 @@ class MapView : public QWidget {
   void clicked(const QPointF& point_m, Qt::KeyboardModifiers modifiers, bool snapped);
   /// A press on a marker or pose, before any drag; Ctrl and Shift are for multi-selection.
   void markerPressed(cad2slam::MarkerId id, Qt::KeyboardModifiers modifiers);
+  /// Pressed and let go there: neither dragged nor, while locked, panned.
+  void markerClicked(cad2slam::MarkerId id, Qt::KeyboardModifiers modifiers);
   void markerDoubleClicked(cad2slam::MarkerId id);
   void markerMenuRequested(cad2slam::MarkerId id, const QPoint& global_px);
   /// Right click on no marker.

@@ -110,6 +110,22 @@ class MainWindowTest : public QObject {
     QTest::mouseClick(&preview, Qt::LeftButton, {}, at(2));
     const std::vector<AnchorId> selected{office.document().anchors()[2].id};
     QCOMPARE(office.session().selection().ids(), selected);
+    // A pan takes nothing away from it, wherever it begins.
+    preview.fit();
+    const auto isApart = [&](std::size_t i) {
+      return preview.isInView(preview.metresFromWidget(at(i)), 10.0) && QLineF(at(i), at(2)).length() > 30.0;
+    };
+    std::size_t other = 0;
+    while (other < 8 && !isApart(other)) ++other;
+    QVERIFY(other < 8);
+    const QPoint start = at(other);
+    QTest::mousePress(&preview, Qt::LeftButton, {}, start);
+    for (const int step_px : {10, 20, 30}) QTest::mouseMove(&preview, start + QPoint(step_px, step_px));
+    QTest::mouseRelease(&preview, Qt::LeftButton, {}, start + QPoint(30, 30));
+    QVERIFY(QLineF(at(other), start + QPoint(30, 30)).length() < 2.0);
+    QCOMPARE(office.session().selection().ids(), selected);
+    preview.centerOn(preview.metresFromWidget(at(2)), false);
+    preview.zoomBy(3.0);
     MapView& slam = office.window.view(Side::kSlam);
     slam.zoomBy(4.0);
     slam.centerOn(toQPointF(office.pairs[6].in_slam), false);

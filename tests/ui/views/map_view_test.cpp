@@ -146,7 +146,10 @@ class MapViewTest : public QObject {
     const double px = shown.view.viewState().m_per_px;
     shown.view.setMarkers({markerAt(1, place), markerAt(2, place + QPointF(14 * px, 0))});
     QSignalSpy pressed(&shown.view, &MapView::markerPressed);
+    QSignalSpy marker_clicked(&shown.view, &MapView::markerClicked);
     QTest::mouseClick(&shown.view, Qt::LeftButton, Qt::ControlModifier, shown.at(place) + QPoint(9, 0));
+    QCOMPARE(marker_clicked.size(), 1);
+    QVERIFY(marker_clicked[0] == pressed.value(0));
     QCOMPARE(pressed.size(), 1);
     QCOMPARE(pressed[0][0].value<MarkerId>(), MarkerId(2));
     QCOMPARE(pressed[0][1].value<Qt::KeyboardModifiers>(), Qt::ControlModifier);
