@@ -369,14 +369,14 @@ void MainWindow::connectTestPoses() {
                                       kAway_px * blueprint_view_->viewState().m_per_px);
   };
   connect((*actions_)[kTestPose], &QAction::toggled, this, [this, place](bool on_now) {
-    test_poses_->setRobotVisible(on_now, place(0.5));
+    test_poses_->setRobotVisible(on_now, [&] { return place(0.5); });
     for (const Side side : {Side::kBlueprint, Side::kSlam})
       if (const auto robot = test_poses_->robotIn(side); on_now && robot)
         views_->bringIntoView(side, toQPointF(robot->translation));
   });
   connect((*actions_)[kPlanPath], &QAction::toggled, this, [this, place](bool on_now) {
     if (on_now) (*actions_)[kTestPose]->setChecked(true);
-    test_poses_->setPathVisible(on_now, place(0.75));
+    test_poses_->setPathVisible(on_now, [&] { return place(0.75); });
   });
   connect((*actions_)[kLoadPoses], &QAction::triggered, this, [this] { askPoses(*this); });
   connect((*actions_)[kPastePoses], &QAction::triggered, this, [this] { pastePoses(*this); });

@@ -60,21 +60,21 @@ TestPoses::TestPoses(Session& session, QObject* parent) : QObject(parent), sessi
 
 TestPoses::~TestPoses() = default;
 
-void TestPoses::setRobotVisible(bool visible, const QPointF& where) {
-  robot_visible_ = visible;
+void TestPoses::setRobotVisible(bool visible, const FirstPlace& where) {
   if (visible && !placed_[0]) {
-    poses_[0] = {toEigen(where), 0.0};
+    poses_[0] = {toEigen(where()), 0.0};  // before it counts as shown
     placed_[0] = true;
   }
+  robot_visible_ = visible;
   emit changed();
 }
 
-void TestPoses::setPathVisible(bool visible, const QPointF& where) {
-  path_visible_ = visible;
+void TestPoses::setPathVisible(bool visible, const FirstPlace& where) {
   if (visible && !placed_[1]) {
-    poses_[1] = {toEigen(where), 0.0};
+    poses_[1] = {toEigen(where()), 0.0};
     placed_[1] = true;
   }
+  path_visible_ = visible;
   if (visible) {
     plan();
   } else {

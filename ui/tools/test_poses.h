@@ -10,6 +10,7 @@
 #include <QObject>
 
 #include <array>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -28,9 +29,11 @@ class TestPoses : public QObject {
   explicit TestPoses(Session& session, QObject* parent = nullptr);
   ~TestPoses() override;
 
-  /// `where`: first place of the robot, blueprint frame; kept when it was shown before.
-  void setRobotVisible(bool visible, const QPointF& where);
-  void setPathVisible(bool visible, const QPointF& where);
+  /// First place of the robot or of the goal, blueprint frame. Asked only before it is shown for the first time, for
+  /// the search may take a while.
+  using FirstPlace = std::function<QPointF()>;
+  void setRobotVisible(bool visible, const FirstPlace& where);
+  void setPathVisible(bool visible, const FirstPlace& where);
   [[nodiscard]] bool isRobotVisible() const { return robot_visible_; }
   /// The nearest place of the blueprint where a robot can stand, at least `away_m` from every anchor and every shown
   /// pose; the place itself where there is none.
