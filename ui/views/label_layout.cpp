@@ -65,7 +65,7 @@ std::optional<QRectF> LabelLayout::place(const QPointF& at, double reach, const 
   for (const bool whole : {true, false}) {  // rather cut by the edge of the view than not there
     for (const Corner& corner : kCorners) {
       const QRectF area = areaAt(at, reach, text, corner);
-      if ((whole && !view_.contains(area)) || !isFree(area)) continue;
+      if (view_.contains(area) != whole || !isFree(area)) continue;
       occupy(area);
       return area;
     }
