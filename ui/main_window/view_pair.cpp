@@ -30,6 +30,8 @@ ViewPair::ViewPair(Session& session, MapView& blueprint, MapView& slam, QObject*
     if (event.what & Change::kEverything) {  // names may be the same in another project
       seen_maps_ = {};
       shown_map_.clear();
+      cursor_.reset();
+      for (const Side side : {Side::kBlueprint, Side::kSlam}) view(side).setMirroredCursor(std::nullopt);
     }
     blueprint_.setLocked(session_.document().isLocked());
     slam_.setLocked(session_.document().isLocked());
@@ -191,7 +193,7 @@ void ViewPair::onRaster(Side side, bool new_picture) {
   }
   if (frame && side == Side::kSlam) {
     shown_map_ = session_.document().currentMapName();
-    if (new_picture) restoreView(v, seen_maps_[toQString(shown_map_)].toObject());
+    if (new_picture) restoreView(v, seen_maps_.value(toQString(shown_map_)).toObject());
   }
   refreshMarkers();
 }
@@ -208,7 +210,7 @@ QJsonObject ViewPair::seenMaps() {
     if (map.name == shown_map_) {
       seen.insert(name, storedView(slam_));
     } else if (seen_maps_.contains(name)) {
-      seen.insert(name, seen_maps_[name]);
+      seen.insert(name, seen_maps_.value(name));
     }
   }
   return seen;
