@@ -115,8 +115,9 @@ void DiagnosisMessages::ask() {
   request.input.blueprint_m_per_px = blueprint.resolution();
   request.input.blueprint_diagonal_m = blueprint.diagonal();
   request.input.scale = document.project().settings.scale;
-  for (const ProjectSlamMap& map : document.project().slam_maps)
-    if (map.name != document.currentMapName()) request.input.others.emplace_back(map.name, map.anchors);
+  if (request.input.scale.rule == ScaleRule::kToScale)  // nobody else asks what they say
+    for (const ProjectSlamMap& map : document.project().slam_maps)
+      if (map.name != document.currentMapName()) request.input.others.emplace_back(map.name, map.anchors);
   if (session_.alignment().isCurrent()) {
     request.result = session_.alignment().result();
     request.input.solution = &request.result->solution;
@@ -261,6 +262,7 @@ Message DiagnosisMessages::messageOf(const Finding& finding) {
       const bool wrong = off > kScaleTolerance;
       message.severity = off > 0.1 ? Severity::kError : wrong ? Severity::kWarning : Severity::kNote;
       if (wrong && !finding.agrees.empty()) {
+        message.severity = Severity::kWarning;
         message.text = tr("Blueprint %1 m, SLAM map %2 m between the two anchors (%3 %), but %4 agrees with the "
                           "blueprint: check the two anchors, or this SLAM map is not to scale")
                            .arg(numberText(finding.value, 2), numberText(finding.other, 2), percent(ratio),
