@@ -104,11 +104,10 @@ PreviewPanel::PreviewPanel(QWidget* parent)
   connect(auto_blink_, &QToolButton::toggled, view_, &PreviewView::setAutoBlink);
 
   fit_ = new QToolButton(this);
-  QToolButton* fit = fit_;
-  fit->setIcon(icon(QStringLiteral("fit")));
-  fit->setToolTip(tr("Show the whole map (F)"));
-  fit->setAccessibleName(fit->toolTip());
-  connect(fit, &QToolButton::clicked, view_, &MapView::fit);
+  fit_->setIcon(icon(QStringLiteral("fit")));
+  fit_->setToolTip(tr("Show the whole map (F)"));
+  fit_->setAccessibleName(fit_->toolTip());
+  connect(fit_, &QToolButton::clicked, view_, &MapView::fit);
 
   auto* controls = new QHBoxLayout;
   controls->setContentsMargins(4, 4, 4, 0);
@@ -118,7 +117,7 @@ PreviewPanel::PreviewPanel(QWidget* parent)
   controls->addWidget(opacity_);
   controls->addWidget(auto_blink_);
   controls->addStretch(1);
-  controls->addWidget(fit);
+  controls->addWidget(fit_);
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(4);
@@ -136,25 +135,34 @@ void PreviewPanel::showControls() {
   auto_blink_->setVisible(now == PreviewMode::kBlink);
   direction_->setText(blueprint_below_ ? tr("SLAM map on blueprint") : tr("Blueprint on SLAM map"));
   direction_->setEnabled(now != PreviewMode::kAllMaps);
+  direction_words_px_ = 0;
   fitControls();
 }
 
 void PreviewPanel::fitControls() {
-  direction_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+  if (direction_words_px_ == 0) {
+    direction_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    direction_words_px_ = direction_->sizeHint().width();
+  }
   const auto wanted = [](const QWidget* widget) { return widget->isHidden() ? 0 : widget->sizeHint().width() + 8; };
-  int all = 0;
-  for (const QWidget* widget : std::initializer_list<QWidget*>{modes_, direction_, auto_blink_, opacity_label_, fit_})
+  int all = direction_words_px_ + 8;
+  for (const QWidget* widget : std::initializer_list<QWidget*>{modes_, auto_blink_, opacity_label_, fit_})
     all += wanted(widget);
   if (!opacity_->isHidden()) all += kLeastSlider_px + 8;
   // Where there is no room for words, icons have to do; tool tips say the same.
-  const bool narrow = all > width();
-  direction_->setToolButtonStyle(narrow ? Qt::ToolButtonIconOnly : Qt::ToolButtonTextBesideIcon);
+  const Qt::ToolButtonStyle look = all > width() ? Qt::ToolButtonIconOnly : Qt::ToolButtonTextBesideIcon;
+  if (direction_->toolButtonStyle() != look) direction_->setToolButtonStyle(look);
   direction_->setToolTip(direction_->text() + QLatin1Char('\n') + tr("Which map lies below (Shift+O)"));
 }
 
 void PreviewPanel::resizeEvent(QResizeEvent* event) {
   QWidget::resizeEvent(event);
   fitControls();
+}
+
+void PreviewPanel::changeEvent(QEvent* event) {
+  QWidget::changeEvent(event);
+  if (event->type() == QEvent::FontChange || event->type() == QEvent::StyleChange) direction_words_px_ = 0;
 }
 
 QSize PreviewPanel::minimumSizeHint() const {

@@ -42,6 +42,7 @@ class PreviewPanel : public QWidget {
   /// B works wherever the keyboard is, but never while something is typed.
   bool eventFilter(QObject* watched, QEvent* event) override;
   void resizeEvent(QResizeEvent* event) override;
+  void changeEvent(QEvent* event) override;
 
  private:
   void showControls();
@@ -52,6 +53,7 @@ class PreviewPanel : public QWidget {
   QLabel* opacity_label_;
   QSlider* opacity_;
   QToolButton* direction_;
+  int direction_words_px_ = 0;  // its width with words; 0: to be measured
   QToolButton* auto_blink_;
   QToolButton* fit_ = nullptr;
   bool blueprint_below_ = true;
