@@ -41,7 +41,7 @@ struct Finding {
   double other = 0.0;
   std::optional<Eigen::Vector2d> place;  ///< [m] blueprint frame
   Side side = Side::kBlueprint;          ///< of kOutsideImage and kUnknownGround
-  std::string agrees = {};                    ///< another SLAM map to which the blueprint is true to scale, or empty
+  std::string agrees = {};               ///< another SLAM map to which the blueprint is true to scale, or empty
 };
 
 /// Part by which a scale may be off without being called wrong.
