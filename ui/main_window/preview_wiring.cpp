@@ -65,7 +65,9 @@ bool PreviewWiring::eventFilter(QObject* watched, QEvent* event) {
 
 void PreviewWiring::follow(const std::shared_ptr<TilePyramid>& picture) {
   if (picture)
-    connect(picture.get(), &RasterSource::tilesChanged, this, &PreviewWiring::onTilesChanged, Qt::UniqueConnection);
+    // Queued: to draw anew may let go of the very picture that tells of its tiles.
+    connect(picture.get(), &RasterSource::tilesChanged, this, &PreviewWiring::onTilesChanged,
+            static_cast<Qt::ConnectionType>(Qt::QueuedConnection | Qt::UniqueConnection));
 }
 
 void PreviewWiring::onTilesChanged() {
