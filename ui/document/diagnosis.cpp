@@ -30,11 +30,11 @@ constexpr double kOutlierRatio = 4.0;        // against the median of the others
 constexpr std::size_t kOutlierFrom = 5;      // with fewer nobody knows which one is wrong
 constexpr double kOppositeShare = 0.1;       // of the anchors' extent, for two that lie opposite to each other
 constexpr double kHalfTurnLoss = 1.25;       // a half turn may fit worse by this factor and still be possible
-constexpr double kLargestCoordinate = 1e8;   // [m]
+constexpr double kLargestJudged_m = 1e8;     // of a coordinate; files may hold larger ones
 
 /// Finite, and not so large that squares of differences are no numbers any more.
 bool isUsable(const Vector2d& point) {
-  return point.allFinite() && point.cwiseAbs().maxCoeff() < kLargestCoordinate;
+  return point.allFinite() && point.cwiseAbs().maxCoeff() < kLargestJudged_m;
 }
 
 double median(std::vector<double> values) {
